@@ -80,7 +80,7 @@ std::string render_one(const Diagnostic& d, const Palette& paint, std::size_t co
         const std::string where = d.line > 0 ? fmt::format("{}:{}:{}", d.file, d.line, d.column) : d.file;
         out += fmt::format("{}{}-->{} {}\n", gutter, paint.frame, paint.off, printable(where));
     }
-    constexpr std::size_t least_shown = 20, frame = 4; // the bar, and blanks beside it
+    constexpr std::size_t least_shown = 20, frame = 4; // the bar, and blanks next to it
     const std::size_t taken = gutter.size() + frame, room = columns > taken ? columns - taken : 0;
     const Excerpt excerpt = cut_line(d.source_line, d.column, std::clamp(room, least_shown, most_shown));
     if (d.line > 0 && !excerpt.text.empty()) {
@@ -102,7 +102,7 @@ std::string render_one(const Diagnostic& d, const Palette& paint, std::size_t co
 
 using Kin = std::vector<const Diagnostic*>;
 
-/// Problems that share one entry: warnings of one code; errors of one file that ask for the same, as in every line of
+/// Problems that share one entry: warnings of one code; errors of one file with the same advice, as in every line of
 /// a table with the wrong mark between its columns. Others are alone.
 std::vector<Kin> find_kin(const std::vector<Diagnostic>& list) {
     constexpr std::size_t most_errors = 3; // of one kind that are shown in full
@@ -139,7 +139,7 @@ std::string render_rest(const Kin& kin, std::size_t indent) {
     if (kin.size() > most + 1) {
         out += fmt::format(
             "{:{}} = and {} more{}\n", "", indent, kin.size() - 1 - most,
-            first.is_warning ? "; suffuse check --json lists all" : " that ask for the same"
+            first.is_warning ? "; suffuse check --json lists all" : " with the same advice"
         );
     }
     return out;

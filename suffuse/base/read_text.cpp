@@ -190,7 +190,7 @@ bool check_encoding(const std::shared_ptr<const Source>& source, Problems& probl
             problems.error(
                 "E100", {source, w.line, w.column, 1},
                 is_zero ? "this is not a text file: it holds zero bytes" : "this is not UTF-8 text",
-                is_zero ? "is this the file that you meant?" : "save the file as UTF-8"
+                is_zero ? "is this the right file?" : "save the file as UTF-8"
             );
             return false;
         }

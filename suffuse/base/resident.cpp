@@ -23,7 +23,8 @@ std::int64_t status_bytes(const std::string& name) {
             return kilobyte * kilobytes;
         }
     }
-    throw Error(fmt::format("/proc/self/status has no {}: this system does not tell how much memory is in use", name));
+    throw Error(fmt::format("/proc/self/status has no {}: this system does not report how much memory is in use", name)
+    );
 }
 
 } // namespace

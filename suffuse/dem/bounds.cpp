@@ -123,16 +123,14 @@ void check_room(const World& world) {
     const double room = void_ratio(world) + 1;
     if (room < least_room) {
         throw StateError(fmt::format(
-            "the cell has shrunk to {:.2f} of the volume of its grains, which overlap beyond any meaning: strain it "
-            "less, "
-            "lower the stress, or take stiffer grains",
+            "the cell has shrunk to {:.2f} of the volume of its grains, whose overlaps are no longer meaningful: "
+            "strain it less, lower the stress, or take stiffer grains",
             room
         ));
     }
     if (room > most_room) {
         throw StateError(fmt::format(
-            "the cell has grown to {:.1e} times the volume of its grains, which touch nowhere any more: strain it less",
-            room
+            "the cell has grown to {:.1e} times the volume of its grains, which no longer touch: strain it less", room
         ));
     }
 }
@@ -156,8 +154,8 @@ void check_motion(
     if (!(fastest.speed <= most_speed * given)) {
         const std::size_t g = fastest.grain;
         throw StateError(fmt::format(
-            "at step {} grain {} moves at {:.2g} m/s and spins at {:.2g} rad/s, where grains, springs and loading give "
-            "{:.2g} m/s: the motion has blown up; take a smaller time step than {:.3g} s",
+            "at step {} grain {} moves at {:.2g} m/s and spins at {:.2g} rad/s, where grains, springs and loading "
+            "allow {:.2g} m/s: the motion has become unstable; take a smaller time step than {:.3g} s",
             world.clock.step, world.grains.id[g], norm(world.grains.velocity[g]), norm(world.grains.spin[g]), given,
             plan.dt
         ));
@@ -170,7 +168,7 @@ void check_motion(
         if (holds && rises && found > most_stress * (held + driven)) {
             throw StateError(fmt::format(
                 "at step {} the sample carries {:.3g} kPa along {}, where {:.3g} kPa are held, and grain {} moves at "
-                "{:.2g} m/s: the motion has blown up; take a smaller time step than {:.3g} s",
+                "{:.2g} m/s: the motion has become unstable; take a smaller time step than {:.3g} s",
                 world.clock.step, found / 1e3, "xyz"[a], held / 1e3, world.grains.id[fastest.grain], fastest.speed,
                 plan.dt
             ));

@@ -11,8 +11,8 @@ double require_pressure(const Mat3& stress, std::string_view who_needs_it) {
     const double pressure = mean_stress(stress);
     if (!(pressure > 0)) {
         throw StateError(fmt::format(
-            "{} that carries a stress, and this one's mean stress is {:.4g} kPa: compact or settle it under a pressure "
-            "first",
+            "{} that carries a stress, but the mean stress of this one is {:.4g} kPa: compact or settle it under a "
+            "pressure first",
             who_needs_it, pressure / 1e3
         ));
     }

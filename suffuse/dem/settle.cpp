@@ -116,15 +116,14 @@ void report_not_balanced(
     const double error = stress_error(loading, state.stress);
     const char* const advice =
         borne_by(loading, state.stress).axes == 0
-            ? "no stress is held: ask for a balance that is less strict, or for a stress that keeps the grains together"
+            ? "no stress is held: specify a less strict balance, or a stress that keeps the grains together"
         : error <= spec.stress_error
-            ? "the stress is held, and grains still move to new places: ask for a balance that is less strict, or "
-              "start "
-              "from a denser sample"
-            : "the stress may be out of reach of this sample: lower it, or ask for a balance that is less strict";
+            ? "the stress is held, but grains still rearrange: specify a less strict balance, or start from a denser "
+              "sample"
+            : "this sample may be unable to carry the stress: lower it, or specify a less strict balance";
     throw StateError(fmt::format(
-        "not balanced after {} steps: unbalanced force {:.2e} (wanted {:.2e}), stress error {:.2e} (wanted {:.2e}), "
-        "mean stress {:.4g} kPa; {}{}",
+        "not balanced after {} steps: unbalanced force {:.2e} (required {:.2e}), stress error {:.2e} (required "
+        "{:.2e}), mean stress {:.4g} kPa; {}{}",
         state.steps, state.equilibrium.unbalanced_force, spec.unbalanced_force, error, spec.stress_error,
         mean_stress(state.stress) / 1e3, limit.empty() ? "" : fmt::format("raise {}, or ", limit), advice
     ));

@@ -174,8 +174,8 @@ void check_time_step(const World& world, double wanted, double damping) {
     const double limit = stability_limit(world, {damping});
     if (!(wanted <= limit)) {
         throw CaseError(fmt::format(
-            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is "
-            "unstable; leave it out, and it is computed",
+            "time_step: found {:.4g} ns, expected at most {:.4g} ns, beyond which this sample is unstable; leave it "
+            "out to have it computed",
             1e9 * wanted, 1e9 * limit
         ));
     }

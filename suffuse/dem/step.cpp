@@ -250,8 +250,8 @@ Mat3 one_step(
     const contact::Pressed pressed = press(world, caches, plan.mode, law, early ? &caches.sequel : nullptr);
     if (pressed.wild) {
         throw StateError(fmt::format(
-            "at step {} a contact force is not a number or beyond all reason: the motion has blown up; take a smaller "
-            "time step than {} s",
+            "at step {} a contact force is not a number or absurdly large: the motion has become unstable; take a "
+            "smaller time step than {} s",
             world.clock.step, plan.dt
         ));
     }

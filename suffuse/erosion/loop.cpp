@@ -281,7 +281,7 @@ bool erode_once(
     dem::World& world, const ErodeSpec& every, const Surroundings& around, ErosionResult& result, PassUnderWay& now
 ) {
     if (std::ranges::count(world.grains.fine, std::uint8_t{0}) == 0) {
-        throw NoSkeleton("all grains are fines: there is no skeleton that they could leave");
+        throw NoSkeleton("all grains are fines, so there is no skeleton");
     }
     const auto number = static_cast<int>(result.passes.size()) + 1;
     const ErodeSpec spec = at_pass(every, number);

@@ -37,20 +37,19 @@ void check(const dem::World& world, const MobilitySetting& setting) {
     const std::vector<double>& gradients = setting.gradients;
     const auto wrong = std::ranges::adjacent_find(gradients, [](double a, double b) { return !(a < b); });
     if (gradients.empty() || !(gradients.front() > 0) || wrong != gradients.end()) {
-        throw CaseError("gradients: expected at least one, all above 0 and each above the one before: the fines bear "
-                        "them one after the other");
+        throw CaseError("gradients: expected at least one, all above 0 and each above the one before: they are applied "
+                        "one after the other");
     }
     const double length = norm(setting.direction);
     if (!(length > 0) || !std::isfinite(length)) {
         throw CaseError("direction: expected three numbers that are finite and not all zero: where the water goes");
     }
     if (!std::ranges::count(world.grains.fine, std::uint8_t{1})) {
-        throw StateError("no grain is fine: weight asks which fines the water moves; say which grains are fine, by "
-                         "`fines` of the soil");
+        throw StateError("no grain is fine: with weight, fines must be defined; define them by `fines` of the soil");
     }
     if (!std::ranges::count(world.grains.fine, std::uint8_t{0})) {
-        throw StateError("all grains are fines: there is no skeleton that they could move through; say which grains "
-                         "are fine, by `fines` of the soil");
+        throw StateError("all grains are fines: there is no skeleton that they could move through; define the fines by "
+                         "`fines` of the soil");
     }
 }
 

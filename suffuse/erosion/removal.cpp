@@ -73,7 +73,7 @@ bool remove_once(
         describe_before(next, pass);
         const std::vector<std::uint32_t> leaving = choose_leaving(next, spec, result, pass.pass);
         if (leaving.size() == next.grains.size()) {
-            throw NoSkeleton("all grains are fines and would be removed: nothing stays to carry the stresses");
+            throw NoSkeleton("all grains are fines and would be removed: nothing would remain to carry the stresses");
         }
         now.ledger = extract(next, leaving, dem::coordination(next), reason_of(spec.grains), result.erosion, pass);
         pass.detachable = pass.removed;

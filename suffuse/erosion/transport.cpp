@@ -24,7 +24,7 @@ double specified_distance(const Mat3& h, const ErodeSpec& spec) {
     const double distance = spec.transport_distance.value_or(length);
     if (distance > most_cells * length) {
         throw StateError(fmt::format(
-            "grains are to travel {:.4g} m through a cell of {:.4g} m: ask for a distance of at most {:g} cells",
+            "grains are to travel {:.4g} m through a cell of {:.4g} m: specify a distance of at most {:g} cells",
             distance, length, most_cells
         ));
     }

@@ -17,7 +17,7 @@ std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravit
     if (!(excess > 0)) {
         throw CaseError(fmt::format(
             "grain.density: found {:.6g} kg/m3 in a fluid of {:.6g} kg/m3, expected more than that: grains that do not "
-            "sink have no weight that holds them; give other densities, or leave [gravity] out",
+            "sink have no submerged weight; change the densities, or leave [gravity] out",
             world.material.density, fluid.density
         ));
     }

@@ -176,7 +176,7 @@ T push_on(const pores::PoreNetwork& network, std::span<const double> push, std::
     throw SolverError(
         fmt::format(
             "flow: the exchange of momentum between {} pores did not converge: {:.3g} of it is out of balance after {} "
-            "iterations, at most {:.3g} is asked; look for grains that overlap or lie in one place",
+            "iterations, at most {:.3g} is allowed; look for grains that overlap or coincide",
             pores, left, iterations, tolerance
         ),
         iterations, left

@@ -88,7 +88,7 @@ void check_convergence(const FlowField& field, const SolverSpec& spec, std::size
     throw SolverError(
         fmt::format(
             "flow: the pressures of {} pores did not converge: residual {:.3g} after {} iterations, at most {:.3g} is "
-            "asked; look for throats whose conductances differ by more than twelve orders of magnitude",
+            "allowed; look for throats whose conductances differ by more than twelve orders of magnitude",
             pores, field.residual, field.iterations, spec.tolerance
         ),
         field.iterations, field.residual

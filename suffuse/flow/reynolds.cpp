@@ -38,9 +38,9 @@ std::string words_of_inertia(const std::string& where, double gradient, double r
         return {};
     }
     return fmt::format(
-        "at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow leaves out, would leave "
-        "some {:.0f} % of the flux (Ergun); the permeability told is that of slow flow; the fluid's forces add up to "
-        "the gradient all the same",
+        "at i = {:.3g} the water {} has a Reynolds number of {}: its inertia, which slow flow neglects, would reduce "
+        "the flux to about {:.0f} % (Ergun); the reported permeability is that of slow flow; the fluid forces still "
+        "balance the gradient",
         gradient, where, short_number(reynolds, 2), 100 * left
     );
 }

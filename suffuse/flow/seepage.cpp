@@ -56,7 +56,7 @@ ClosedVoids find_closed_voids(const pores::PoreNetwork& network) {
         const auto [a, b, c, d] = voids.deepest;
         throw GeometryError(fmt::format(
             "flow: the grains overlap so far that no void is left to flow through: as pores count it, it is {:.3g} of "
-            "the cell, most negative between the grains in rows {}, {}, {} and {}; let the grains settle apart first",
+            "the cell, most negative between the grains in rows {}, {}, {} and {}; let the grains settle first",
             voids.all / determinant(network.h), a, b, c, d
         ));
     }
@@ -190,9 +190,8 @@ std::string words_of(const ClosedVoids& closed, const std::function<std::string(
     }
     return fmt::format(
         "grains overlap so far that the pore network counts negative voids, {:.2g} of all void, most between the "
-        "grains "
-        "{}, {}, {} and {}: there its throats mean nothing, and the permeability is not that of the packing; let the "
-        "grains settle apart first",
+        "grains {}, {}, {} and {}: there its throats mean nothing, and the permeability is not that of the packing; "
+        "let the grains settle first",
         closed.share, grain(closed.grain[0]), grain(closed.grain[1]), grain(closed.grain[2]), grain(closed.grain[3])
     );
 }

@@ -307,7 +307,7 @@ TEST(Seepage, GrainsInOnePlaceAreRefusedByTheirRows) {
     Packing packing = test::random_packing(identity(), 20, 0.05, 0.1, 12);
     packing.position.push_back(packing.position[3] + Vec3{1, 0, 0});
     packing.radius.push_back(packing.radius[3]);
-    EXPECT_NE(refusal(packing).find("rows 3 and 20 lie in one place"), std::string::npos) << refusal(packing);
+    EXPECT_NE(refusal(packing).find("rows 3 and 20 are at the same place"), std::string::npos) << refusal(packing);
 }
 
 TEST(Seepage, GrainsTooSmallForTheirCellAreRefused) {

@@ -192,7 +192,7 @@ double content_of(const SampledGrains& sample) {
 
 void check_soil(const Soil& soil, int particles) {
     if (particles < 1) {
-        throw CaseError(fmt::format("{} particles asked for, expected at least 1", particles));
+        throw CaseError(fmt::format("{} particles specified, expected at least 1", particles));
     }
     const bool mixed = soil.coarse && soil.fines;
     if (mixed == soil.whole.has_value() || soil.coarse.has_value() != soil.fines.has_value()) {
@@ -316,9 +316,9 @@ std::optional<double> fines_limit(const Soil& soil) {
         const double below = largest_size(*soil.fines), above = size_at(*soil.coarse, 0);
         if (below > above) {
             throw CaseError(fmt::format(
-                "soil: the fines go up to {:.6g} mm and the coarse grains begin at {:.6g} mm: size alone does not tell "
-                "one from the other; give one curve and the size of the fines (finer_than), or a packing that names "
-                "its fines (.vtp, .xyz)",
+                "soil: the fines go up to {:.6g} mm and the coarse grains begin at {:.6g} mm: size alone does not "
+                "separate them; give one curve and the size of the fines (finer_than), or a packing that names its "
+                "fines (.vtp, .xyz)",
                 below * 1e3, above * 1e3
             ));
         }

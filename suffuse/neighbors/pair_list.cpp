@@ -38,10 +38,8 @@ std::uint16_t image_row(std::vector<cell::Image>& images, const cell::Image& ima
     const auto found = std::ranges::find(images, image); // nearly always among the first few
     const auto row = static_cast<std::size_t>(found - images.begin());
     if (row >= std::numeric_limits<std::uint16_t>::max()) {
-        throw StateError(
-            "grains have drifted over more periods of the cell than a step can tell apart: wrap their positions into "
-            "the cell, or take a smaller time step if the motion has blown up"
-        );
+        throw StateError("grains have drifted over more periods of the cell than a step can resolve: wrap their "
+                         "positions into the cell, or take a smaller time step if the motion has become unstable");
     }
     if (found == images.end()) {
         images.push_back(image);

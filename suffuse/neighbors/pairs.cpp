@@ -138,7 +138,9 @@ void check_input(const Mat3& h, std::span<const Vec3> position) {
         return;
     }
     if (!is_finite(first)) {
-        throw GeometryError(fmt::format("the position of grain row {} is not finite: the motion has blown up", first));
+        throw GeometryError(
+            fmt::format("the position of grain row {} is not finite: the motion has become unstable", first)
+        );
     }
     throw GeometryError(fmt::format(
         "grain row {} lies more than {} periods from the origin: wrap the positions into the cell", first,

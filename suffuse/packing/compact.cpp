@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::int64_t most_steps = 3'000'000, most_swift_steps = 60'000;
 constexpr std::int64_t most_relax_steps = 1500;
-constexpr double relaxed_load = 0.1;      // share of the pressure that overlaps left by geometry may still cause
-constexpr double surely_denser = 1.5;     // tolerances below the void ratio asked: no servo lets go of so much again
-constexpr double crept_enough = 1e-2;     // unbalanced force at which fines that slide have found their places
-constexpr double carrying_contacts = 1;   // a grain: rattling fines have none, a skeleton of fines about three
+constexpr double relaxed_load = 0.1;    // share of the pressure that overlaps left by geometry may still cause
+constexpr double surely_denser = 1.5;   // tolerances below the specified void ratio: no servo lets go of so much again
+constexpr double crept_enough = 1e-2;   // unbalanced force at which fines that slide have found their places
+constexpr double carrying_contacts = 1; // a grain: rattling fines have none, a skeleton of fines about three
 constexpr double least_void_ratio = 0.05; // spheres overlap beyond any meaning before this
 
 /// Removes what the preparation lent: friction goes to its final value, bonds are cut.
@@ -39,7 +39,7 @@ std::string_view other_way(const dem::World& world, const CompactSpec& spec, std
     constexpr double too_wide = 9; // largest over smallest grain: from here on samples of swift were seen to fail
     const auto [least, most] = std::ranges::minmax_element(world.grains.radius);
     const bool helps = spec.protocol != Protocol::Wide && *most > too_wide * *least;
-    return helps ? "or take the wide protocol, which is made for grains of such sizes" : usual;
+    return helps ? "or use the wide protocol, which is intended for such gradings" : usual;
 }
 
 [[noreturn]] void report_out_of_reach(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
@@ -54,7 +54,7 @@ std::string_view other_way(const dem::World& world, const CompactSpec& spec, std
             other_way(
                 world, spec,
                 spec.protocol == Protocol::Swift ? "and the faithful protocol lets them find their places"
-                                                 : "and a balance may be less strict"
+                                                 : "or specify a less strict balance"
             )
         ));
     }
@@ -66,7 +66,7 @@ std::string_view other_way(const dem::World& world, const CompactSpec& spec, std
         other_way(
             world, spec,
             spec.protocol == Protocol::Swift ? "start denser, or take the faithful protocol"
-                                             : "or ask for a balance that is less strict"
+                                             : "or specify a less strict balance"
         )
     ));
 }
@@ -118,7 +118,7 @@ void take_time_step(const dem::World& world, const CompactSpec& spec, CompactSta
     dem::take_time_step(state, choose_time_step(world, spec, state.damping), state.balance.equilibrium.contacts);
 }
 
-/// Swift, asked for a void ratio: whether the sample gave way further from its start than it should under what it
+/// Swift with a specified void ratio: whether the sample gave way further from its start than it should under what it
 /// carries. Its friction has then been low for long enough.
 bool gave_way(const dem::World& world, const CompactSpec& spec, const CompactState& state) {
     if (spec.protocol != Protocol::Swift || !spec.void_ratio || state.phase != CompactState::Phase::Compact) {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int most_trials = 24;
 // Once two preparations nearer than this still differ by more than the tolerance, it is the scatter of single samples
-// that decides: others beside them are as likely to meet, at such distances from each other, around where the trials so
-// far would meet it.
+// that decides: others next to them are as likely to meet, at such distances from each other, around where the trials
+// so far would meet it.
 constexpr double alike = 0.02, step_aside = 0.012, around = 0.3;
 constexpr double default_adhesion = 1e6; // [Pa], where the case lends none: the loosest state on offer
 
@@ -90,7 +90,7 @@ FoundDensity search_start(const CompactSpec& wanted, const std::function<double(
 }
 
 /// Slow and faithful: a bracket is closed on the preparation that meets the void ratio, and where scatter beats that,
-/// preparations beside it are tried.
+/// preparations next to it are tried.
 class Search {
 public:
     Search(
@@ -199,8 +199,8 @@ private:
         const double loosest = high_.looseness == 2 ? high_.void_ratio : try_one(2).void_ratio;
         throw StateError(fmt::format(
             "the void ratio {:.4f} cannot be reached at {:.4g} kPa: this sample goes from {:.4f} (frictionless) to "
-            "{:.4f} (final friction with adhesion {:.3g} Pa) during compaction; ask for a value in between, lend it "
-            "more adhesion, or take the nearest with if_unreachable = \"nearest\"",
+            "{:.4f} (final friction with adhesion {:.3g} Pa) during compaction; specify a value in between, more "
+            "adhesion, or take the nearest with if_unreachable = \"nearest\"",
             target_, wanted_.pressure / 1e3, densest, loosest,
             wanted_.prepare.adhesion_normal.value_or(default_adhesion)
         ));

@@ -109,16 +109,16 @@ void check_grains(const Mat3& compact, std::span<const Vec3> position, std::span
     const double period = std::min({norm(compact.column(0)), norm(compact.column(1)), norm(compact.column(2))});
     if (2 * *largest > 1.25 * period) { // contacts with the grain's own image overlap by a few percent, no more
         throw GeometryError(fmt::format(
-            "pores: grain in row {} has diameter {} m and the cell repeats every {} m: it would sit inside its own "
-            "image; a larger cell is needed",
+            "pores: grain in row {} has diameter {} m and the cell repeats every {} m: it would overlap its own image; "
+            "use a larger cell",
             largest - radius.begin(), 2 * *largest, period
         ));
     }
     const auto smallest = std::min_element(radius.begin(), radius.end());
     if (!(*smallest > smallest_grain * period)) {
         throw GeometryError(fmt::format(
-            "pores: grain in row {} has radius {} m and the cell repeats every {} m: it is too small to be told from "
-            "a point; give grains and cell in one unit, or leave it out",
+            "pores: grain in row {} has radius {} m and the cell repeats every {} m: it is too small to be "
+            "distinguished from a point; give grains and cell in one unit, or leave the grain out",
             smallest - radius.begin(), *smallest, period
         ));
     }

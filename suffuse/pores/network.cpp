@@ -90,7 +90,7 @@ void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& i
             found.push_back(p);
         }
         if (found.empty()) {
-            throw GeometryError("pores: all grain centers lie in one plane; a packing has three dimensions");
+            throw GeometryError("pores: all grain centers are in one plane; a packing has three dimensions");
         }
         for (const std::uint32_t p : found) {
             is_flat[p] = 0;
@@ -284,8 +284,8 @@ void expect_grains_apart(const Mat3& h, std::span<const Vec3> position, std::spa
     if (const auto rows = cell::find_coincident(h, position, radius)) {
         const Vec3& x = position[rows->second];
         throw GeometryError(fmt::format(
-            "pores: the grains in rows {} and {} lie in one place, ({}, {}, {}) m or an image of it; take one of them "
-            "out",
+            "pores: the grains in rows {} and {} are at the same place, ({}, {}, {}) m or an image of it; remove one "
+            "of them",
             rows->first, rows->second, x.x, x.y, x.z
         ));
     }

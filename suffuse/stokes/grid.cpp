@@ -55,7 +55,7 @@ Grid grid_over(const Mat3& h, double spacing) {
     }
     if (!(total < 2147483648.0)) {
         throw GeometryError(fmt::format(
-            "resolved flow: boxes of {:.3g} m make {:.3g} of them, more than 2^31; ask for fewer across a diameter",
+            "resolved flow: boxes of {:.3g} m make {:.3g} of them, more than 2^31; use fewer across a diameter",
             spacing, total
         ));
     }

@@ -82,8 +82,8 @@ HeldForces::HeldForces(const Grid& grid, std::span<const Vec3> position, std::sp
         const HeldFaces& faces = faces_[axis];
         if (faces.size() == 0 || faces.size() == grid.size()) {
             throw GeometryError(fmt::format(
-                "resolved flow: the grains hold {} of the {} faces of the grid normal to an axis; some, and not all, "
-                "are expected: ask for more boxes across a diameter",
+                "resolved flow: the grains hold {} of the {} faces of the grid normal to an axis; some, but not all, "
+                "are expected: use more boxes across a diameter",
                 faces.size(), grid.size()
             ));
         }

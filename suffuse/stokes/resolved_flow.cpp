@@ -44,13 +44,13 @@ double finer_spacing(std::span<const double> radius, const ResolvedSpec& spec) {
     return flow::sauter_diameter(radius) / spec.boxes_across;
 }
 
-/// Two grids that are one along an axis tell nothing of its error.
+/// Two grids that are one along an axis show nothing of its error.
 void check_grids(const Grid& fine, const Grid& coarse) {
     for (std::size_t a = 0; a < 3; ++a) {
         if (fine.boxes[a] == coarse.boxes[a]) {
             throw GeometryError(fmt::format(
-                "resolved flow: the cell is {} boxes wide along {}, too few for a coarser grid beside it; ask for more "
-                "boxes across a diameter, or take a wider cell",
+                "resolved flow: the cell is {} boxes wide along {}, too few for the second, coarser grid; use more "
+                "boxes across a diameter, or a wider cell",
                 fine.boxes[a], "xyz"[a]
             ));
         }

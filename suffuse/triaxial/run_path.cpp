@@ -51,7 +51,7 @@ cell::Loading held_stresses(const TriaxialSpec& spec, double p, double q) {
     return loading;
 }
 
-/// What drives the test, beside what is held.
+/// What drives the test, besides what is held.
 cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     using cell::Control;
     const Mat3 &start = state.start_stress, &now = state.balance.stress;
@@ -95,7 +95,7 @@ void keep_pace(const TriaxialSpec& spec, PathState& state) {
     }
 }
 
-/// The stresses to come to rest at: the one asked for, beside what is held during the test.
+/// The stresses to come to rest at: the specified one, and those held during the test.
 cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
     if (imposed_strain_ratio(spec)) {
         return dem::constant_volume();
@@ -127,8 +127,8 @@ bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
 }
 
 /// The less is missing of the stress to stop at, the more slowly the sample is loaded, so that it comes there from
-/// below, and quasi-static: a burst closes half of the distance at most. Not for ever: what a sample that fails beside
-/// the stress asked for closes is noise. @param closed by a burst of this pace [Pa]; a sample is no stiffer than its
+/// below, and quasi-static: a burst closes half of the distance at most. Not for ever: what a sample that fails near
+/// the specified stress closes is noise. @param closed by a burst of this pace [Pa]; a sample is no stiffer than its
 /// network
 void ease_to_target(const dem::World& world, const TriaxialSpec& spec, double pace, double closed, PathState& state) {
     const Vec3 modulus =
@@ -179,8 +179,8 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
 
 [[noreturn]] void report_out_of_reach(const PathRow& row) {
     throw StateError(fmt::format(
-        "the stress asked of the triaxial test is out of reach: at {:.3g} % axial strain the deviator stress is "
-        "{:.4g} kPa (q/p = {:.3f}); ask for less than the peak of this sample",
+        "the triaxial test cannot reach the specified stress: at {:.3g} % axial strain the deviator stress is {:.4g} "
+        "kPa (q/p = {:.3f}); specify less than the peak of this sample",
         100 * row.axial_strain, row.deviator_stress / 1e3, row.deviator_stress / row.mean_stress
     ));
 }

@@ -108,9 +108,9 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
         const double strain = norm(cell::axial_strains(world.cell.h, sample.world.cell.h));
         if (strain > spec.max_strain || (!sample.rests && state.steps >= spec.max_steps)) {
             throw StateError(fmt::format(
-                "the sample does not rest under the stress that it carries: after {} steps it has strained by {:.2e} "
-                "and its unbalanced force is {:.1e} (wanted {:.1e}); probe a state further from failure, or ask for "
-                "less by unbalanced_force",
+                "the sample is not at rest under the stress that it carries: after {} steps it has strained by {:.2e} "
+                "and its unbalanced force is {:.1e} (required {:.1e}); probe a state further from failure, or raise "
+                "unbalanced_force",
                 state.steps, strain, sample.balance.equilibrium.unbalanced_force, spec.unbalanced_force
             ));
         }
