@@ -82,7 +82,7 @@ const std::vector<Wrong> keys = {
      with_line(14, "pressure = \"100 kPa\"\nstart_porosity = 0.4")},
     {"E207", 11, 1, 19, "the servo of protocol \"slow\" cannot",
      with_line(14, "pressure = \"100 kPa\"\nprotocol = \"slow\"\nshear_stresses = \"released\"")},
-    {"E207", 15, 1, 19, "holds no stress beside", with_stage("do = \"settle\"\nshear_stresses = \"released\"\n")},
+    {"E207", 15, 1, 19, "holds no stress", with_stage("do = \"settle\"\nshear_stresses = \"released\"\n")},
     {"E207", 15, 1, 19, "its inertial servo cannot",
      with_stage("do = \"settle\"\npressure = \"1 kPa\"\nshear_stresses = \"released\"\n"
                 "servo = { kind = \"inertial\", mass = \"1 kg/m\" }\n")},
@@ -147,7 +147,7 @@ const std::vector<Wrong> contradictions = {
      with_line(4, "fines = { finer_than = \"1 mm\", psd = \"data/silt.csv\" }")},
     {"E205", 4, 9, 8, "the finest and the coarsest", with_line(4, "sizes = [\"1 mm\"]")},
     {"E205", 4, 9, 16, "the finest and the coarsest", with_line(4, "sizes = [\"1 mm\", \"1 mm\"]")},
-    {"E507", 4, 9, 16, "no mass lies between", with_line(4, "sizes = [\"5 mm\", \"9 mm\"]")},
+    {"E507", 4, 9, 16, "there is no mass between", with_line(4, "sizes = [\"5 mm\", \"9 mm\"]")},
     {"E207", 2, 7, 4, "no `psd`", with_line(3, "sizes = [\"1 um\", \"9 mm\"]\ncoarse = { psd = \"data/sand.csv\" }")},
     {"E207", 2, 7, 4, "second grading", with_line(4, "fines = { psd = \"data/silt.csv\" }")},
     {"E201", 2, 7, 4, "`fines_content`", with_line(3, "coarse = { psd = \"data/sand.csv\" }")},

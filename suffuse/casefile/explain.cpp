@@ -22,9 +22,9 @@ constexpr std::array code_table = {
     Code{"E100", "the file is not text", "A case or data file is empty, binary, or not UTF-8. Save it as UTF-8 text."},
     Code{
         "E101", "the file is not TOML",
-        "The text breaks the rules of TOML at the place shown. Outside of quotes and comments only plain ASCII may "
-        "stand; texts need straight quotes; each key stands once."},
-    Code{"E201", "something is missing", "A key or table that the case cannot do without."},
+        "The text breaks the rules of TOML at the place shown. Outside of quotes and comments only plain ASCII is "
+        "allowed; texts need straight quotes; each key occurs once."},
+    Code{"E201", "something is missing", "A required key or table is missing."},
     Code{
         "E203", "unknown key",
         "Keys that the program does not know are errors, so that a misspelt one is not silently ignored."},
@@ -35,8 +35,8 @@ constexpr std::array code_table = {
         "E205", "wrong kind of value",
         "A number where a text is needed, a value where a list is needed, and the like."},
     Code{"E206", "unknown word", "The key has a fixed list of words, and this is none of them."},
-    Code{"E207", "keys contradict each other", "Two keys exclude each other, or one is needed because of another."},
-    Code{"W208", "a key of earlier versions", "The key means nothing any more; the rest of the case is read."},
+    Code{"E207", "keys contradict each other", "Two keys exclude each other, or one requires another."},
+    Code{"W208", "a key of earlier versions", "The key no longer has an effect; the rest of the case is read."},
     Code{
         "E209", "bad name",
         "Names of studies, soils, stages and presets become folders: letters, digits, - and _, at most 64."},
@@ -44,8 +44,8 @@ constexpr std::array code_table = {
     Code{
         "E310", "no unit",
         "A value with a dimension is written with its unit, \"100 kPa\": a bare number could be anything."},
-    Code{"E311", "wrong dimension", "The unit measures something else than what the key means."},
-    Code{"E312", "out of range", "The value lies outside of what the key can mean."},
+    Code{"E311", "wrong dimension", "The unit is of another dimension than the key."},
+    Code{"E312", "out of range", "The value is outside the range of the key."},
     Code{"E313", "not finite", "TOML knows inf and nan; no key of a case can be either."},
     Code{"E401", "unknown stage", "`from` names an earlier stage of the same study."},
     Code{"E402", "unknown soil", "`soil` names one of the [soil.NAME] tables of the case."},
@@ -57,7 +57,8 @@ constexpr std::array code_table = {
     Code{"E406", "nothing to refine", "`refine` names a key of the study's `sweep`, whose values are quantities."},
     Code{
         "E407", "not a measure of this verb",
-        "`measure` asks for something that only other verbs have, as stress-strain curves are of triaxial tests."},
+        "`measure` requests something that only other verbs have: stress-strain curves, for example, belong to "
+        "triaxial tests."},
     Code{"E408", "unknown study", "--study NAME takes the NAME of a [study.NAME] table of the case."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
@@ -66,32 +67,32 @@ constexpr std::array code_table = {
         "them where columns are separated by semicolons or tabs."},
     Code{
         "E503", "grading not monotonic",
-        "Percent passing cannot fall as the size grows by more than 0.1 %, and a size stands twice only where two "
+        "Percent passing cannot fall as the size grows by more than 0.1 %, and a size may occur twice only where two "
         "analyses meet that agree within 2 %."},
     Code{
         "E504", "impossible grading value",
-        "Sizes are above 0, percent passing lies between 0 and 100, and a curve runs from 0 to 100 %."},
+        "Sizes are above 0, percent passing is between 0 and 100, and a curve runs from 0 to 100 %."},
     Code{"E505", "empty grading", "A grading has a header and at least two points."},
     Code{
         "E506", "bad header of a grading",
-        "The first line names the columns, `d [mm],passing [%]`; other units may stand in the brackets. Sizes may be "
+        "The first line names the columns, `d [mm],passing [%]`; other units may be in the brackets. Sizes may be "
         "called size, sieve or aperture, and shares finer, cumulative retained or retained on sieve, also in French, "
         "German, Spanish or Italian; what is retained may be a mass, `retained on sieve [g]`, with a line `pan`. "
         "docs/gradings.md has an example of each kind."},
     Code{
         "E507", "nothing between the sizes",
-        "`sizes` cuts the part out of a grading that is modeled; some mass has to lie between them."},
+        "`sizes` selects the part of a grading that is modeled; there must be some mass between them."},
     Code{
         "W508", "how a grading was read",
-        "Something in the sheet could be understood in one way only, or was passed over: a pan, a total, a sieve that "
-        "was not used, plain numbers that are sieve numbers. Nothing is wrong where the sentence is true."},
+        "The reader interpreted or skipped something in the sheet: a pan, a total, a sieve that was not used, plain "
+        "numbers that are sieve numbers. If the sentence is true, nothing is wrong."},
     Code{
         "E509", "several samples in one file",
         "A soil of a case has one grading, and the file holds several. `suffuse new --psd FILE --sample NAME` writes a "
         "case with one of them; `suffuse assess FILE` judges all."},
     Code{
         "E601", "a sample too small for its largest grain",
-        "The cell would be narrower than three of its largest grains, which then meet their own images. Take more "
+        "The cell would be narrower than three of its largest grains, which then touch their own images. Use more "
         "grains, or cut the coarse end of the grading."},
     Code{"W602", "a narrow cell", "Below ten times the largest grain, results depend on the size of the sample."},
     Code{
@@ -105,15 +106,15 @@ constexpr std::array code_table = {
         "the coarse ones are held."},
     Code{
         "E605", "no fines, or nothing else",
-        "Erosion needs to know which grains are fine. With [gravity] a `detach` or `erode` stage asks which fines move "
-        "through the coarse grains: its sample must have both."},
+        "Erosion needs to know which grains are fine. With [gravity] a `detach` or `erode` stage finds which fines "
+        "move through the coarse grains: its sample must have both."},
     Code{
         "W605", "nothing or everything is fine",
         "Without fines nothing can leave; without coarse grains there is no skeleton."},
     Code{
         "E606", "the grains cannot be drawn",
-        "Grains are drawn from the grading before the first step: the limit of the fines must lie within the curve, "
-        "Kenney and Lau's split must exist where it is asked for, and there must be enough grains to follow the curve "
+        "Grains are drawn from the grading before the first step: the limit of the fines must be within the curve, "
+        "Kenney and Lau's split must exist if it is specified, and there must be enough grains to follow the curve "
         "within `grading_tolerance`. Where the curve is too wide, the message says at which size to cut it: number "
         "goes as 1/d^3, so that its fine end takes most of the grains. suffuse new --psd FILE --sizes FROM,TO does "
         "it."},
@@ -139,22 +140,22 @@ constexpr std::array code_table = {
         "grading."},
     Code{
         "W611", "a lowered friction that a search replaces",
-        "Where a void ratio is asked for, all protocols but swift find the friction during compaction that "
-        "leads to it, and ignore the one given. Leave either out; or take the protocol swift, which keeps the "
-        "friction and searches the porosity at its start."},
+        "If a void ratio is specified, all protocols but swift find the friction during compaction that leads to it, "
+        "and ignore the one given. Leave either out; or take the protocol swift, which keeps the friction and searches "
+        "the porosity at its start."},
     Code{
         "W613", "a way to travel where grains do not travel",
         "Only with passes_constriction = { size = \"flow-path\" } do detached grains follow the water, and leave when "
         "they have come the `distance` along it. With any other size they leave at once or not at all, and `forced` "
-        "takes them out in any case."},
+        "removes them in any case."},
     Code{
         "W614", "entries for passes that are not made",
         "`gradient`, `hold` and `detached` of an erosion may be lists, one entry a pass; `passes` says how many are "
         "made."},
     Code{
         "W615", "a protocol for wider gradings",
-        "The protocol wide lends fine grains the inertia with which they roll on much coarser ones as on their like. "
-        "Where no grain is four times another, that is of no use, and faithful is measured more closely."},
+        "The protocol wide lends fine grains inertia, so that they roll on much coarser grains as on grains of their "
+        "own size. If no grain is four times another, this has no use, and faithful is better validated."},
     Code{
         "W616", "a grading too wide for its protocol",
         "Where coarse grains are many times the size of the fine ones, the other protocols fail or mislead: the servo "

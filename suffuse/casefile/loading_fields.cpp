@@ -223,7 +223,7 @@ void loading_fields(Reader& v, cell::Loading& loading) {
         if (rate != nullptr || stress != nullptr) {
             v.error(
                 "E207", gradient->place,
-                fmt::format("{} gives `velocity_gradient` beside `stress` or `strain_rate`", v.title()),
+                fmt::format("{} gives `velocity_gradient` together with `stress` or `strain_rate`", v.title()),
                 "keep one of them"
             );
         }
@@ -311,7 +311,7 @@ void check_start(Reader& v, const packing::CompactSpec& s) {
             fmt::format(
                 "{} gives a `time_step`, and protocol \"wide\" lends grains inertia for longer ones", v.title()
             ),
-            "leave `time_step` out, or take protocol = \"faithful\", which lends nothing beside one"
+            "leave `time_step` out, or take protocol = \"faithful\", which lends no inertia with a given time step"
         );
     }
 }
@@ -322,15 +322,15 @@ void check_void_ratio(Reader& v, const packing::CompactSpec& s) {
     if (s.void_ratio && s.intergranular_void_ratio) {
         v.error(
             "E207", v.place(),
-            fmt::format("{} asks for a `void_ratio` and for an `intergranular_void_ratio`", v.title()),
+            fmt::format("{} specifies both a `void_ratio` and an `intergranular_void_ratio`", v.title()),
             "keep one of them: with the fines content each gives the other"
         );
     }
     if (s.prepared_as && !s.void_ratio && !s.intergranular_void_ratio) {
         v.error(
             "E207", v.place(),
-            fmt::format("{} is `prepared_as` another sample, whose preparation nobody searches", v.title()),
-            "ask for a `void_ratio` or an `intergranular_void_ratio`, or give `prepare` alone"
+            fmt::format("{} is `prepared_as` another sample, for whose preparation there is no search", v.title()),
+            "specify a `void_ratio` or an `intergranular_void_ratio`, or only `prepare`"
         );
     }
 }
@@ -352,7 +352,7 @@ void check_skeleton_first(Reader& v, const packing::CompactSpec& s) {
         v.error(
             "E207", v.place(),
             fmt::format("{} makes its skeleton first, which leaves the `void_ratio` to the fines content", v.title()),
-            "ask for the `intergranular_void_ratio` of the skeleton instead"
+            "specify the `intergranular_void_ratio` of the skeleton instead"
         );
     }
     if (s.prepared_as) {
@@ -384,9 +384,9 @@ void check_shear_stresses(Reader& v, const dem::SettleSpec& s) {
         "E207", v.place(),
         fmt::format(
             "{} releases shear stresses, {}", v.title(),
-            is_inertial ? "and its inertial servo cannot" : "and holds no stress beside"
+            is_inertial ? "and its inertial servo cannot" : "but holds no stress"
         ),
-        is_inertial ? "leave the kind of the servo out: secant" : "give `pressure` or `stress`, or take the key out"
+        is_inertial ? "leave the kind of the servo out: secant" : "give `pressure` or `stress`, or remove the key"
     );
 }
 

@@ -200,7 +200,7 @@ set_at(Node& table, const std::vector<std::string>& path, const Node& value, con
             ++k;
         }
         if (!node->is_table()) {
-            return fmt::format("`{}` is no table, and has no `{}`", path[k], path[k + 1]);
+            return fmt::format("`{}` is not a table and has no `{}`", path[k], path[k + 1]);
         }
     }
     node->set(path.back(), value, place);
@@ -264,9 +264,9 @@ void check_preset_override(const std::string& text, const std::string& in_force,
     }
     problems.error(
         "E405", {std::make_shared<Source>(Source{"--set", text}), 1, 1, static_cast<int>(std::min(mark, text.size()))},
-        fmt::format("the preset in force is \"{}\", so that what \"{}\" holds changes nothing", in_force, path[1]),
+        fmt::format("the preset in force is \"{}\", so \"{}\" has no effect", in_force, path[1]),
         fmt::format(
-            "add --preset {}, or set presets.{}.{}, or the key that is meant, as in study.erosion.particles", path[1],
+            "add --preset {}, or set presets.{}.{}, or the intended key, as in study.erosion.particles", path[1],
             in_force, path.back()
         )
     );

@@ -81,7 +81,7 @@ public:
         );
     }
 
-    /// A ramp that begins where the whole soil floats tells nothing of its fines.
+    /// A ramp that begins where the whole soil floats shows nothing of its fines.
     void check_heave(const Stage& stage, const erosion::Gravity& gravity, const Vec3& direction, double first) {
         const std::optional<double> heave = heave_of(gravity, direction);
         if (!heave || first <= *heave) {
@@ -105,7 +105,7 @@ public:
         context_.problems.warning(
             "W604", stage_place(stage, "gradient"),
             fmt::format("a gradient of {:.4g} is above the one of heave, about {:.2f}", gradient, *heave),
-            "seepage this way lifts the whole soil; the run holds the coarse grains, and tells which fines move"
+            "seepage this way lifts the whole soil; the run holds the coarse grains and finds which fines move"
         );
     }
 
@@ -162,7 +162,7 @@ public:
                     "stage \"{}\" erodes a soil of which {} is fine", stage.name,
                     content <= 0 ? "nothing" : "everything"
                 ),
-                "nothing can leave, or no skeleton stays"
+                "nothing can leave, or no skeleton remains"
             );
             return;
         }
@@ -172,8 +172,8 @@ public:
         context_.problems.error(
             "E605", found == context_.places.end() ? stage_place(stage, "do") : found->second,
             fmt::format(
-                "stage \"{}\" of {} asks what moves of fines that have weight, and with `fines_content` = {:.4g} % the "
-                "soil has no {}",
+                "stage \"{}\" of {} finds which fines move against their weight, but with `fines_content` = {:.4g} % "
+                "the soil has no {}",
                 stage.name, variant_.folder, 100 * content, content <= 0 ? "fines" : "coarse grains"
             ),
             fmt::format(
@@ -183,7 +183,7 @@ public:
         );
     }
 
-    /// A stage that takes all fines out leaves none whose weight could be asked for.
+    /// A stage that takes all fines out leaves none whose weight could be requested.
     void check_fines_left(const Stage& stage) {
         for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
             const Stage& before = variant_.stages[static_cast<std::size_t>(k)];
@@ -194,9 +194,8 @@ public:
             context_.problems.error(
                 "E605", stage_place(stage, "do"),
                 fmt::format(
-                    "stage \"{}\" asks what moves of fines that have weight, and stage \"{}\" before it takes all "
-                    "fines "
-                    "out",
+                    "stage \"{}\" finds which fines move against their weight, but stage \"{}\" before it removes all "
+                    "fines",
                     stage.name, before.name
                 ),
                 "start from a stage before it, by `from`; or give the removal a `share` below 100 %"
@@ -236,8 +235,8 @@ public:
         context_.problems.warning(
             "W611", stage_place(stage, "prepare.friction"),
             fmt::format(
-                "stage \"{}\" asks for a void ratio, for which protocol \"{}\" searches the friction during "
-                "compaction: the one given has no effect",
+                "stage \"{}\" specifies a void ratio, and protocol \"{}\" searches the friction during compaction for "
+                "it: the given friction has no effect",
                 stage.name, packing::name_of(compact.protocol)
             ),
             "leave `prepare.friction` out, or the void ratio; protocol = \"swift\" keeps to both"
@@ -251,24 +250,25 @@ public:
         }
         context_.problems.warning(
             "W613", stage_place(stage, "passes_constriction.distance"),
-            fmt::format("stage \"{}\" says how far grains have to travel, but they do not travel in it", stage.name),
+            fmt::format("stage \"{}\" sets how far grains have to travel, but they do not travel in it", stage.name),
             "size = \"flow-path\", without `forced`, makes them follow the water"
         );
     }
 
-    /// A probe has one flow, and `resolve` asks for that on a grid.
+    /// A probe has one flow, and `resolve` requires it on a grid.
     void check_solver(const Stage& stage, const flow::SolverChoice& how) {
         const Place place = stage_place(stage, "solver");
         if (how.resolve && how.solver == flow::Solver::Network && place.source) {
             context_.problems.error(
                 "E207", place,
-                fmt::format("stage \"{}\" takes the network's flow, and gives a grid to `resolve` it on", stage.name),
+                fmt::format("stage \"{}\" takes the network's flow, and gives a grid for `resolve`", stage.name),
                 "take solver = \"resolved\" or \"auto\", or leave `resolve` out"
             );
         }
     }
 
-    /// The flow between the grains themselves is solved in right-angled cells: better told before the sample is made.
+    /// The flow between the grains themselves is solved in right-angled cells: better reported before the sample is
+    /// made.
     void check_resolve(const Stage& stage, const flow::SolverChoice& how) {
         if (!flow::resolves(how)) {
             return;

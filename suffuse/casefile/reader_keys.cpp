@@ -1,4 +1,4 @@
-// Which keys a table has: those asked for, those that are missing, those that nobody knows.
+// Which keys a table has: those requested, those that are missing, those that nobody knows.
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/reader.hpp"
@@ -18,7 +18,7 @@ struct RetiredKey {
 };
 
 constexpr std::array retired_keys = {
-    RetiredKey{"report", "language", "reports are in English; take the line out"},
+    RetiredKey{"report", "language", "reports are in English; remove the line"},
 };
 
 /// "[fluid]", "a soil": the tables, but for those of `patterns`, that have a key of this name.

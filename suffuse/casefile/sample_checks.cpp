@@ -58,7 +58,7 @@ bool has_stage(const Variant& variant, Is is) {
     return std::ranges::any_of(variant.stages, [&](const Stage& stage) { return is(traits_of(stage)); });
 }
 
-/// Of one variant, told where the case asks for so many grains, or for such fines.
+/// Of one variant, reported where the case specifies so many grains, or for such fines.
 class SampleChecks {
 public:
     SampleChecks(ReadContext& context, const Study& study, const Variant& variant)
@@ -122,8 +122,8 @@ private:
         problems_.warning(
             "W607", place_,
             fmt::format(
-                "{} fine grains between {} coarse ones{}: what leaves is then chance, more than soil", fines, coarse,
-                which()
+                "{} fine grains between {} coarse ones{}: the results then depend more on chance than on the soil",
+                fines, coarse, which()
             ),
             fmt::format(
                 "take more grains, until there are at least {} fine and {} coarse, or several seeds (`replicates`)",
@@ -144,7 +144,8 @@ private:
         problems_.error(
             "E605", place_,
             fmt::format(
-                "stage \"{}\" asks what moves of fines that have weight, and all {} grains drawn of this soil{} are {}",
+                "stage \"{}\" finds which fines move against their weight, but all {} grains drawn of this soil{} are "
+                "{}",
                 weighed->name, grouped(variant_.particles), which(), all_are_fine ? "fine" : "coarse"
             ),
             "take more grains, or another size for `finer_than`, until fines and coarse grains are both there"

@@ -36,8 +36,8 @@ std::vector<Key> top_rows() {
         text("", "title", "Title of the report."),
         text(
             "", "paper",
-            "Paper that the case follows: the report judges its findings, and every figure names it. Not for a soil of "
-            "your own."
+            "Paper that the case follows: the report judges its findings, and every figure names it. Not for your own "
+            "soil."
         ),
         count(
             "", "seed", count_from_zero,
@@ -192,7 +192,7 @@ std::vector<Key> soil_and_study_rows() {
         other("soil.*", "psd", psd, "Grading curve of the whole soil: columns `d [mm]`, `passing [%]` by mass."),
         list_of(quantity(
             "soil.*", "sizes", dimension::length, above_zero,
-            "The finest and the coarsest size that are modeled, of a curve that goes on beyond them; its ends may be "
+            "The finest and the coarsest size that are modeled, of a curve that extends beyond them; its ends may be "
             "open."
         )),
         table("soil.*", "coarse", "Coarse part of a soil of two fractions."),
@@ -227,7 +227,7 @@ std::vector<Key> soil_and_study_rows() {
         count("study.*.sample_size", "at_least", {1, 2e9, false, false}, "But never fewer grains of both fractions."),
         count(
             "study.*.sample_size", "at_most", {1, 2e9, false, false},
-            "Nor more, where that leaves `least_coarse` coarse grains: many fines are what costs."
+            "Nor more, as long as `least_coarse` coarse grains remain: many fines cost most."
         ),
         count(
             "study.*.sample_size", "least_coarse", {1, 2e9, false, false},
@@ -236,7 +236,7 @@ std::vector<Key> soil_and_study_rows() {
         other(
             "study.*", "sweep", "{ KEY = [values] }",
             "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, a key of the soil, "
-            "\"stage.NAME.KEY\", or \"contact.KEY\", which then holds for all stages of the copy."
+            "\"stage.NAME.KEY\", or \"contact.KEY\", which then applies to all stages of the copy."
         ),
         table(
             "study.*", "refine",
@@ -248,7 +248,7 @@ std::vector<Key> soil_and_study_rows() {
             "study.*.refine", "of",
             "A number of stage.json, as in void_ratio or contact_share.LS; its mean over the replicates is the curve."
         )),
-        required(list_of(text("study.*.refine", "at", "Stages whose curves are looked at, each by itself."))),
+        required(list_of(text("study.*.refine", "at", "Stages whose curves are examined, each separately."))),
         count("study.*.refine", "add", {1, 100, false, false}, "Values between the extreme and each of its neighbors."),
         count("study.*", "replicates", {1, 10'000, false, false}, "Copies of the study with different seeds."),
         other("study.*", "stage", "[[study.NAME.stage]]", "What is done, one stage after the other."),
@@ -270,8 +270,8 @@ std::vector<Key> output_rows() {
         quantity("output", "checkpoint", dimension::time, above_zero, "Wall-clock time between checkpoints."),
         table("output", "histories", "How often histories are sampled."),
         count("output.histories", "every", from_one, "Steps between two rows, where a stage's `record` does not say."),
-        text("report", "project", "On the title page of the report in print: what it is about."),
-        text("report", "author", "On the title page of the report in print: who answers for it."),
+        text("report", "project", "Title page of the printed report: its subject."),
+        text("report", "author", "Title page of the printed report: the person responsible."),
         list_of(
             text("report", "figures", "Figures of the report: \"paper\", \"own\", or single ones such as \"figure-9\".")
         ),

@@ -19,8 +19,8 @@ std::vector<Key> common_rows() {
         flag("stage", "restore", "The stage after this one starts where this one started."),
         list_of(choice(
             "stage", "measure", names::words_of(names::measures),
-            "What to gather under `measured` in stage.json: numbers that the stage tells anyway, and permeability, "
-            "constrictions and grading of its end state, which are measured for the asking. stress-strain belongs to "
+            "What to gather under `measured` in stage.json: numbers that the stage reports anyway, and permeability, "
+            "constrictions and grading of its end state, which are measured only on request. stress-strain belongs to "
             "triaxial, flow to flow and erode, coordination-of-eroded to erode and remove, volumetric-strain to what "
             "strains the cell."
         )),
@@ -50,9 +50,9 @@ std::vector<Key> servo_rows(const std::string& table) {
 Key shear_stresses(const char* where) {
     Key key = choice(
         where, "shear_stresses", names::words_of(names::shear_stresses),
-        "kept: the cell keeps its angles, and shear stresses between the axes stay where chance puts them; released: "
-        "the cell shears until there are none, beside the stresses held. Needs the secant servo; later stages keep "
-        "the sheared cell."
+        "kept: the cell keeps its angles, and shear stresses between the axes remain as they are; released: the cell "
+        "shears until there are none, while the stresses are held. Needs the secant servo; later stages keep the "
+        "sheared cell."
     );
     key.default_text = "\"kept\""; // not written, see shear_stresses_field
     return key;
@@ -149,7 +149,7 @@ std::vector<Key> triaxial_rows() {
             "`time_step` and the path \"constant-deviator\" leave grains their own."
         ),
         time_step("stage.triaxial"),
-        count("stage.triaxial", "rows", {1, 1e6, false, false}, "Stress-strain rows over the asked strain."),
+        count("stage.triaxial", "rows", {1, 1e6, false, false}, "Stress-strain rows over the specified strain."),
     };
 }
 
@@ -223,8 +223,8 @@ std::vector<Key> preparation_rows() {
             ),
             ratio(
                 "stage.compact", "start_porosity", {0.2, 1, false, true},
-                "Protocol swift: porosity to which the cloud is brought, without forces, before the first step; "
-                "without it as far as overlaps clear easily."
+                "Protocol swift: porosity to which the cloud is brought, without forces, before the first step; by "
+                "default as low as overlaps clear easily."
             ),
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(

@@ -40,9 +40,8 @@ std::vector<Key> solver_rows(const std::string& stage, const std::string& what) 
         solver,
         count(
             stage, "resolve", {4, 200, false, false},
-            what +
-                "so many boxes of the grid across the Sauter diameter; 12 is usual. Minutes and gigabytes for 10,000 "
-                "grains; `plan` tells. Not unless given."
+            what + "so many boxes of the grid across the Sauter diameter; 12 is usual. Minutes and gigabytes for "
+                   "10,000 grains; see `plan`. By default the flow is not resolved."
         ),
         tolerance,
     };
@@ -158,7 +157,7 @@ std::vector<Key> detach_rows() {
         required(count("stage.detach.gradients", "steps", {1, 1000, false, false}, "Steps up to it, all equal.")),
         ratio(
             "stage.detach", "asked_gradient", above_zero,
-            "With [gravity]: the gradient that the soil has to bear. Results tell the factor of safety against it."
+            "With [gravity]: the gradient that the soil has to bear. Results give the factor of safety against it."
         ),
     };
     append(rows, probe_rows("stage.detach"));
@@ -177,7 +176,9 @@ std::vector<Key> erosion_rows() {
     };
     append(
         rows,
-        solver_rows("stage.flow", "Solves the flow a second time beside the network's, between the grains themselves: ")
+        solver_rows(
+            "stage.flow", "Solves the flow a second time, between the grains themselves, in addition to the network's: "
+        )
     );
     append(rows, detach_rows());
     append(
@@ -221,7 +222,7 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.erode.passes_constriction", "of", names::words_of(names::constrictions_of),
-                "Whose constrictions; a flow path meets those of all grains that stay."
+                "Whose constrictions; a flow path includes those of all grains that stay."
             ),
             choice(
                 "stage.erode.passes_constriction", "merge", names::words_of(names::void_merge),
@@ -252,8 +253,8 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.remove", "grains", names::words_of(names::removed_fines),
-                "What is taken out without water: all fines, those with fewer than two contacts, or those with at "
-                "least two. The rest comes to rest at constant volume, then under the stresses held before."
+                "Which grains are removed without water: all fines, those with fewer than two contacts, or those with "
+                "at least two. The rest comes to rest at constant volume, then under the stresses held before."
             ),
             ratio(
                 "stage.remove", "share", {0, 1, true, false},
@@ -261,18 +262,17 @@ std::vector<Key> erosion_rows() {
             ),
             choice(
                 "stage.remove", "order", names::words_of(names::removal_order),
-                "Which grains go first where not all go at once: by chance, by diameter, by the mean stress in the "
-                "grain, or by number of contacts; among equals the seed decides."
+                "Which grains are removed first if not all are removed at once: by chance, by diameter, by the mean "
+                "stress in the grain, or by number of contacts; among equals the seed decides."
             ),
             count(
                 "stage.remove", "passes", {1, 10'000, false, false},
-                "Equal parts in which they go, each followed by a new equilibrium, after which stresses and contacts "
-                "are looked at anew."
+                "Equal parts in which they are removed, each followed by a new equilibrium, after which stresses and "
+                "contacts are measured again."
             ),
             ratio(
                 "stage.remove", "max_strain", {0, 2, true, false},
-                "Strain of an axis in one pass beyond which the skeleton counts as failed; the stage then ends as it "
-                "is."
+                "Strain of an axis in one pass beyond which the skeleton counts as failed; the stage then ends."
             ),
             resettling_pace("stage.remove"),
         }

@@ -16,7 +16,7 @@ namespace {
 
 using grains::Grading;
 
-/// A curve from a file; each file is read once a case, however many sweeps ask for it.
+/// A curve from a file; each file is read once a case, however many sweeps use it.
 std::optional<Grading> read_curve_file(Reader& v, const Node& node, gradings::CurveEnds ends) {
     const std::string path = resolved_path(v.context().folder, node.text);
     auto& known = v.context().gradings;
@@ -131,7 +131,7 @@ void read_part(Reader& v, grains::Soil& soil) {
                  coarsest = std::min(sizes[1], curve.diameter.back());
     if (!(grains::passing(curve, finest) < grains::passing(curve, coarsest))) {
         v.error(
-            "E507", node->place, "no mass lies between the `sizes`",
+            "E507", node->place, "there is no mass between the `sizes`",
             fmt::format(
                 "the curve runs from {} to {}", print_quantity(curve.diameter.front(), dimension::length),
                 print_quantity(curve.diameter.back(), dimension::length)
@@ -179,8 +179,8 @@ void check_parts(Reader& v, bool fines_have_curve, const Node::Entry* content) {
         );
     } else if (v.has("sizes") && !has_whole) {
         v.error(
-            "E207", v.place(), fmt::format("{} has `sizes`, and no `psd` that they could be a part of", v.title()),
-            "leave `sizes` out: the two gradings say which grains there are"
+            "E207", v.place(), fmt::format("{} has `sizes` but no `psd` to select from", v.title()),
+            "leave `sizes` out: the two gradings define the grains"
         );
     } else if (has_whole && has_content) {
         v.error(
@@ -190,7 +190,7 @@ void check_parts(Reader& v, bool fines_have_curve, const Node::Entry* content) {
         );
     } else if (has_whole && fines_have_curve) {
         v.error(
-            "E207", v.place(), fmt::format("{} has a `psd` for all grains, and a second grading beside it", v.title()),
+            "E207", v.place(), fmt::format("{} has a `psd` for all grains and also a second grading", v.title()),
             "write fines = { finer_than = \"0.26 mm\" }, or give `coarse` instead of `psd`"
         );
     } else if (has_coarse && !(fines_have_curve && has_content)) {

@@ -194,7 +194,7 @@ TEST(Gravity, NeedsThemAmongTheGrainsThatAreDrawn) {
 TEST(Gravity, NeedsFinesThatARemovalHasLeft) {
     const std::string removal = "[[study.one.stage]]\nname = \"out\"\ndo = \"remove\"\n";
     const Diagnostic found = find_problem(problems_of(weighed(removal + detach_stage)), "E605");
-    EXPECT_NE(found.message.find("\"out\" before it takes all fines out"), std::string::npos) << found.message;
+    EXPECT_NE(found.message.find("\"out\" before it removes all fines"), std::string::npos) << found.message;
     EXPECT_EQ(
         find_problem(problems_of(weighed(removal + "share = 0.5\n" + detach_stage)), "E605").message.find("no E605"), 0U
     );

@@ -102,8 +102,8 @@ void check_weightless(Reader& v, const erosion::ProbeSpec& probe) {
     if (probe.gravity) {
         refuse(
             v, keys, "which has no meaning where fines have weight",
-            "take it out: with [gravity] what moves half a diameter against its weight is mobile; or leave [gravity] "
-            "out"
+            "remove it: with [gravity] fines that move half a diameter against their weight are mobile; or leave "
+            "[gravity] out"
         );
     }
 }
@@ -112,8 +112,7 @@ void check_weighed(Reader& v, const erosion::ProbeSpec& probe) {
     constexpr std::array<std::string_view, 4> keys = {"hold_at_most", "fluid_drag", "moved", "softness"};
     if (!probe.gravity) {
         refuse(
-            v, keys, "which has no meaning where fines have no weight",
-            "add [gravity] with down = \"-z\", or take it out"
+            v, keys, "which has no meaning where fines have no weight", "add [gravity] with down = \"-z\", or remove it"
         );
     }
 }
@@ -161,16 +160,16 @@ void check_ramp(Reader& v, const erosion::DetachStageSpec& s) {
         if (s.specified_gradient) {
             v.error(
                 "E207", place("asked_gradient"),
-                fmt::format("{} asks for a factor of safety, and its fines have no weight", v.title()),
-                "add [gravity] with down = \"-z\", or take `asked_gradient` out: without weight any gradient takes the "
+                fmt::format("{} specifies a gradient for a factor of safety, but its fines have no weight", v.title()),
+                "add [gravity] with down = \"-z\", or remove `asked_gradient`: without weight any gradient removes the "
                 "same grains"
             );
         }
     } else if (std::ranges::adjacent_find(s.gradients, falls) != s.gradients.end() || s.gradients.front() <= 0) {
         v.error(
             "E207", place("gradients"), fmt::format("{} has `gradients` that do not rise from above 0", v.title()),
-            "with [gravity] the fines bear one gradient after the other: write them in rising order, or { up_to = 1.2, "
-            "steps = 24 }"
+            "with [gravity] the gradients are applied one after the other: write them in rising order, or { up_to = "
+            "1.2, steps = 24 }"
         );
     }
 }

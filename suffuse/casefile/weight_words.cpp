@@ -25,9 +25,9 @@ std::string weight_sentence(const Case& what) {
     if (!needs_mobility) {
         return "";
     }
-    return what.gravity ? "fines have weight where water asks for them (detach, erode); all other stages are weightless"
-                        : "nothing has weight, as in the paper: any gradient takes the same grains; with a table "
-                          "[gravity] it takes those whose weight it lifts";
+    return what.gravity ? "fines have weight in stages with water (detach, erode); all other stages are weightless"
+                        : "nothing has weight, as in the paper: any gradient removes the same grains; with a table "
+                          "[gravity] it removes those whose weight it lifts";
 }
 
 } // namespace suffuse::casefile

@@ -106,7 +106,8 @@ void check_protocol(
                     "stage \"{}\" takes protocol \"wide\", and the coarsest grains are only {:.3g} times the finest",
                     stage, ratio
                 ),
-                "take protocol = \"faithful\": what wide lends fine grains beside much coarser ones has no use here"
+                "take protocol = \"faithful\": the inertia that wide lends to fine grains among much coarser ones has "
+                "no use here"
             );
         }
         return;

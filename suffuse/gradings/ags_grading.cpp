@@ -47,7 +47,7 @@ std::optional<std::size_t> find_heading(const SheetRow& headings, std::string_vi
     return std::nullopt;
 }
 
-/// "A1 1.20 m B1": location, depth, and what else tells its samples apart.
+/// "A1 1.20 m B1": location, depth, and what else distinguishes its samples.
 class SoilNames {
 public:
     explicit SoilNames(const Group& group) {
@@ -56,7 +56,7 @@ public:
                 columns_.push_back({*column, std::string_view(name) == "SAMP_TOP" ? " m" : ""});
             }
         }
-        // the shortest list of headings that tells all of them apart; location and depth always
+        // the shortest list of headings that distinguishes all of them; location and depth always
         std::size_t enough = std::min<std::size_t>(2, columns_.size());
         while (enough < columns_.size() && count(group, enough) < count(group, columns_.size())) {
             ++enough;
@@ -105,7 +105,7 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
     const Group group = find_group(sheet);
     if (group.heading == nullptr || group.data.empty()) {
         problems.error(
-            "E506", whole, "the AGS file has no rows in a group GRAT", "gradings stand there: was it exported?"
+            "E506", whole, "the AGS file has no rows in a group GRAT", "gradings are in that group: was it exported?"
         );
         return std::nullopt;
     }

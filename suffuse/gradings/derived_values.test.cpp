@@ -1,4 +1,4 @@
-// What sheets write below a curve: told as passed over, and compared with the curve.
+// What sheets write below a curve: reported as skipped, and compared with the curve.
 
 #include "suffuse/gradings/sheets_for_tests.hpp"
 
@@ -30,7 +30,7 @@ TEST(DerivedValues, ThoseThatAgreeWithTheCurveArePassedOverInOneLine) {
         remarks_below("D10 (mm),0.1\nD30,0.40\nD60,2.0\nCu,20\nCc,0.8\nGravel %,20\nSand %,74\nFines,6 %\n");
     EXPECT_EQ(
         remarks,
-        "passed over as results, which are no sieves: `D10 (mm)`, `D30`, `D60`, `Cu`, `Cc`, `Gravel %`, `Sand %`, "
+        "skipped as results because they are not sieves: `D10 (mm)`, `D30`, `D60`, `Cu`, `Cc`, `Gravel %`, `Sand %`, "
         "`Fines`\n"
     );
 }
@@ -95,7 +95,7 @@ TEST(DerivedValues, OfManySoilsEachHasItsOwn) {
 }
 
 TEST(DerivedValues, NamesMayBeJoinedBySlashes) {
-    const std::string agree = "passed over as results, which are no sieves: `D10`, `D30`, `D60`, `Cu`, `Cc`\n";
+    const std::string agree = "skipped as results because they are not sieves: `D10`, `D30`, `D60`, `Cu`, `Cc`\n";
     EXPECT_EQ(remarks_below("D10 / D30 / D60 / Cu / Cc,0.1 / 0.4 / 2 / 20 / 0.8\n"), agree);
     EXPECT_EQ(remarks_below("D10/D30/D60/Cu/Cc,0.1,0.4,2,20,0.8\n"), agree); // more cells than the table has columns
     EXPECT_EQ(remarks_below("D10 / D30 / D60 / Cu / Cc\n0.1 / 0.4 / 2 / 20 / 0.8\n"), agree);

@@ -47,7 +47,7 @@ private:
         return found_;
     }
 
-    /// "Mass (g)" beside the masses of empty sieves is no mass retained.
+    /// "Mass (g)" next to the masses of empty sieves is no mass retained.
     void pass_over_bare_masses() {
         const bool are_weighed = !columns_of(ColumnKind::Tare).empty() || !columns_of(ColumnKind::Gross).empty();
         for (Heading& heading : headings_) {
@@ -141,7 +141,7 @@ private:
                 problems_.error(
                     "E506", header_->cells[k].place,
                     fmt::format("`{}` and `{}` mean the same", header_->cells[best].text, header_->cells[k].text),
-                    "leave one of the two columns, or give the other one a name that is not read"
+                    "keep one of the two columns, or rename the other so that it is ignored"
                 );
                 return false;
             }
@@ -219,7 +219,7 @@ private:
         problems_.error(
             "E506", header_->cells[second].place,
             fmt::format("`{}` and `{}` mean the same", header_->cells[first].text, header_->cells[second].text),
-            "leave one of the two columns; where each is a soil, put its name into the heading: `TP1 passing [%]`"
+            "keep one of the two columns; if each is a soil, put its name into the heading: `TP1 passing [%]`"
         );
     }
 
@@ -292,8 +292,8 @@ private:
             problems_.warning(
                 sheet_remark, header_->place,
                 fmt::format(
-                    "{} columns are read as cumulative shares, each of a soil of its own, for their numbers rise or "
-                    "fall throughout",
+                    "{} columns are read as cumulative shares, each of a soil of its own, because their numbers rise "
+                    "or fall throughout",
                     found_.shares.size()
                 )
             );
@@ -304,7 +304,9 @@ private:
     void remark_on_meaning(std::size_t column) {
         problems_.warning(
             sheet_remark, header_ != nullptr ? place_at(*header_, column) : sheet_.rows[found_.first_row].place,
-            fmt::format("column {} is read as a cumulative share, for its numbers rise or fall throughout", column + 1),
+            fmt::format(
+                "column {} is read as a cumulative share, because its numbers rise or fall throughout", column + 1
+            ),
             "name it `passing [%]` to say so"
         );
     }
@@ -356,7 +358,7 @@ bool is_too_wide(const Sheet& sheet, Problems& problems) {
                 fmt::format(
                     "{} columns, and a table of gradings has at most {}", sheet.rows[k].cells.size(), most_columns
                 ),
-                "is this the file that you meant? Write a line for each sieve"
+                "is this the right file? Write a line for each sieve"
             );
             return true;
         }

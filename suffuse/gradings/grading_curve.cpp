@@ -96,7 +96,7 @@ void join_twins(std::vector<GradingPoint>& points, Problems& problems) {
         problems.warning(
             sheet_remark, second.diameter_place,
             fmt::format(
-                "{} stands twice, with {} and {} passing: joined as {}", in_mm(first.diameter),
+                "{} occurs twice, with {} and {} passing: joined as {}", in_mm(first.diameter),
                 in_percent(first.passing), in_percent(second.passing), in_percent(mean)
             )
         );
@@ -150,7 +150,7 @@ bool check_order(const std::vector<GradingPoint>& points, Problems& problems) {
             problems.error(
                 "E503", point.diameter_place,
                 fmt::format(
-                    "the grading is not monotonic: {} stands beside {}", in_mm(point.diameter), in_mm(below.diameter)
+                    "the grading is not monotonic: {} is next to {}", in_mm(point.diameter), in_mm(below.diameter)
                 ),
                 "sizes must rise from line to line, or fall from line to line, each once"
             );

@@ -58,7 +58,8 @@ private:
             if (row != sheet_.rows.end() && is_open) {
                 share.meaning = ShareMeaning::OnSieve;
                 remark(
-                    place_at(*row, columns_.size.index), "read as what lies between two sieves: the finer one keeps it"
+                    place_at(*row, columns_.size.index),
+                    "read as the share between two sieves, retained on the finer one"
                 );
             }
         }
@@ -72,10 +73,7 @@ private:
     void remark_on_comment(const SheetRow& row) {
         if (!row.cells.empty() && row.cells.size() > 1 && !row.cells[0].text.empty() &&
             is_digit(row.cells[0].text[0])) {
-            remark(
-                row.place, "passed over as a comment",
-                "where this is a sieve, write its # without a blank behind it: #4"
-            );
+            remark(row.place, "skipped as a comment", "if this is a sieve, write # without a space after it: #4");
         }
     }
 
@@ -88,7 +86,9 @@ private:
         const bool is_left_out =
             !key.empty() && std::ranges::all_of(key, [](const std::string& part) { return is_blank(part); });
         if (is_left_out && !key_.empty() && !has_reported_merged_) {
-            remark(row.place, "a row that names no sample is of the one above", "name it in every row to say so");
+            remark(
+                row.place, "a row without a sample name belongs to the sample above", "name it in every row to say so"
+            );
             has_reported_merged_ = true;
         }
         key_ = is_left_out ? key_ : key;
@@ -119,8 +119,8 @@ private:
         }
         if (is_blank(text_at(row, columns_.size.index)) && (is_empty || is_sum(row))) {
             return remark(
-                row.place, is_empty ? "passed over: it has no size and no share"
-                                    : "passed over: it has no size, and is what the rows above add up to"
+                row.place, is_empty ? "skipped: it has no size and no share"
+                                    : "skipped: it has no size and is the sum of the rows above"
             );
         }
         const auto size = cells_.read_size(row);
@@ -205,7 +205,7 @@ private:
             return value && *value == 0;
         });
         if (has_none) {
-            remark(row.place, "size 0 is passed over: no grain is that small", "write the size of the smallest grains");
+            remark(row.place, "size 0 is skipped: no grain is that small", "write the size of the smallest grains");
         }
         return has_none;
     }
@@ -242,7 +242,7 @@ private:
                 }
             }
         }
-        remark(row.place, fmt::format("`{}` is passed over: it is no sieve", word));
+        remark(row.place, fmt::format("`{}` is skipped: it is not a sieve", word));
     }
 
     void take(const SheetRow& row, const ShareColumn& share, const CellSize& size) {
@@ -278,7 +278,7 @@ private:
         if (!skipped_.empty()) {
             remark(
                 skipped_place_, fmt::format(
-                                    "{} {} without a value: passed over as not used",
+                                    "{} {} without a value: skipped as not used",
                                     skipped_.size() == 1 ? "the sieve" : "the sieves", fmt::join(skipped_, ", ")
                                 )
             );
@@ -296,15 +296,15 @@ private:
     bool has_reported_merged_ = false;
 };
 
-/// The scale of sizes without a unit, told where it was found in the numbers. @return whether some have a unit
+/// The scale of sizes without a unit, reported where it was found in the numbers. @return whether some have a unit
 bool settle_scale(const Sheet& sheet, GradingColumns& columns, Problems& problems) {
     const PlainSizes sizes = judge_plain_sizes(sheet, columns);
     if (sizes.scale != columns.size.scale) {
         problems.warning(
             sheet_remark, sheet.rows[columns.first_row].place,
             sizes.scale == SizeScale::SieveNumber
-                ? "plain sizes are read as sieve numbers of ASTM E11, for only so do they go with the shares"
-                : "plain sizes are read in mm, for no sieve has a broken number",
+                ? "plain sizes are read as sieve numbers of ASTM E11, because only then do they agree with the shares"
+                : "plain sizes are read in mm, because sieve numbers are whole",
             "name the column `d [mm]` or `sieve no.` to say so"
         );
         columns.size.scale = sizes.scale;

@@ -80,7 +80,7 @@ bool decide_meaning(SievedSoil& soil, Problems& problems) {
                                 : "read as retained on each sieve alone";
     soil.meaning = *meaning;
     if (is_cumulative && !soil.name.empty() && *meaning == ShareMeaning::Passing) {
-        return true; // one of several columns: told once for all
+        return true; // one of several columns: reported once for all
     }
     problems.warning(
         sheet_remark, soil.heading_place, fmt::format("{}{}", soil.name.empty() ? "" : soil.name + ": ", why)
@@ -88,9 +88,9 @@ bool decide_meaning(SievedSoil& soil, Problems& problems) {
     return true;
 }
 
-/// What the sheet calls its total, beside the sum of what the sieves keep.
+/// What the sheet calls its total, next to the sum of what the sieves keep.
 void check_total(const SievedSoil& soil, double sum, Problems& problems) {
-    constexpr double lost = 0.01; // ASTM D6913: a loss beyond asks for another test
+    constexpr double lost = 0.01; // ASTM D6913: a loss beyond requires another test
     if (soil.total && std::abs(*soil.total - sum) > lost * sum) {
         problems.warning(
             sheet_remark, soil.end,
@@ -113,14 +113,14 @@ std::optional<double> mass_in_table(const SievedSoil& soil, double sum, double l
     return *soil.pan < last ? last + *soil.pan : *soil.pan; // its own mass, or that of all
 }
 
-/// The mass that the shares are of: the stated dry mass where nothing tells the pan, or where the finest grains were
+/// The mass that the shares are of: the stated dry mass where the pan is not given, or where the finest grains were
 /// washed away before the sieving. Empty where it could be two things, which is reported.
 std::optional<double> whole_mass(const SievedSoil& soil, double sum, double last, Problems& problems) {
     constexpr double lost = 0.01; // as above
     constexpr double split = 1.9; // halves and quarters of a sample are sieved, too
     if (soil.meaning == ShareMeaning::CumulativeRetained && soil.pan.value_or(last) < last) {
         problems.warning(
-            sheet_remark, soil.end, "the pan holds less than all sieves: read as its own mass, not a cumulative one"
+            sheet_remark, soil.end, "the pan holds less than all sieves: its mass is read as its own, not cumulative"
         );
     }
     const auto held = mass_in_table(soil, sum, last);

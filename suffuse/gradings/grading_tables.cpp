@@ -84,8 +84,8 @@ private:
                 problems_.error(
                     "E503", point.passing_place,
                     fmt::format(
-                        "the second table does not go on with the curve above: {:.4g} % pass {:.4g} mm, and {:.4g} % "
-                        "the coarser {:.4g} mm",
+                        "the second table does not continue the curve above: {:.4g} % pass {:.4g} mm, and {:.4g} % the "
+                        "coarser {:.4g} mm",
                         100 * point.passing, 1e3 * point.diameter, 100 * last.passing, 1e3 * last.diameter
                     ),
                     fmt::format(
@@ -104,7 +104,7 @@ private:
     void join(SoilPoints& above, SoilPoints soil) {
         problems_.warning(
             sheet_remark, soil.points.front().diameter_place,
-            "a second table begins here and goes on with the curve above: both are joined into one"
+            "a second table begins here and continues the curve above: both are joined into one"
         );
         const auto in_order = [](const std::vector<GradingPoint>& points) {
             const auto rising = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter < b.diameter; };

@@ -204,7 +204,7 @@ Sheet take_columns(const Sheet& sheet, std::size_t from, std::size_t to, std::si
     return part;
 }
 
-/// Where a second table begins beside the first: sizes and shares, and again sizes and shares of the same kind, that
+/// Where a second table begins next to the first: sizes and shares, and again sizes and shares of the same kind, that
 /// are not the same sizes in another unit.
 std::vector<std::size_t> find_tables_side_by_side(const Sheet& sheet, const SheetHeader& header) {
     std::vector<std::size_t> begins;
@@ -236,7 +236,7 @@ std::vector<std::size_t> find_tables_side_by_side(const Sheet& sheet, const Shee
     return begins.size() > 1 && !are_same ? begins : std::vector<std::size_t>{};
 }
 
-/// The row right above the headings where it has a title for each of the tables beside each other.
+/// The row right above the headings where it has a title for each of the tables side by side.
 const SheetRow* find_titles_next_to(const Sheet& sheet, std::size_t header, const std::vector<std::size_t>& begins) {
     const SheetRow* above = header > 0 ? &sheet.rows[header - 1] : nullptr;
     const bool is_next = above != nullptr && above->place.line + 1 == sheet.rows[header].place.line;
@@ -267,7 +267,7 @@ bool go_on(const Sheet& sheet, std::size_t first_row, const std::vector<std::siz
     return points.size() > begins.size() && (is_all(rises) || is_all(falls));
 }
 
-/// The tables beside the first one below it.
+/// The tables next to the first one below it.
 SheetTable stack(SheetTable table, const SheetHeader& header, const std::vector<std::size_t>& begins) {
     Sheet stacked{{}, table.sheet.mark};
     for (std::size_t part = 0; part < begins.size(); ++part) {
@@ -290,7 +290,7 @@ std::vector<SheetTable> split_side_by_side(SheetTable table, Problems& problems)
     if (titles == nullptr && go_on(table.sheet, header->row + header->lines, begins)) {
         problems.warning(
             sheet_remark, table.sheet.rows[header->row].place,
-            fmt::format("{} tables beside each other go on from one to the next: read as one", begins.size())
+            fmt::format("{} tables side by side continue each other: read as one", begins.size())
         );
         return {stack(std::move(table), *header, begins)};
     }
@@ -358,7 +358,7 @@ void remark_on_notes(const TableNotes& notes, Problems& problems) {
         problems.warning(
             sheet_remark, notes.others.front()->place,
             fmt::format(
-                "passed over as notes, for they are no sieves: {}{}", fmt::join(names, ", "),
+                "skipped as notes because they are not sieves: {}{}", fmt::join(names, ", "),
                 left > 0 ? fmt::format(" and {} more", left) : ""
             ),
             "begin notes with # to keep this quiet"
@@ -373,7 +373,7 @@ void remark_on_notes(const TableNotes& notes, Problems& problems) {
     if (!names.empty()) {
         problems.warning(
             sheet_remark, notes.derived.front().place,
-            fmt::format("passed over as results, which are no sieves: {}", fmt::join(names, ", "))
+            fmt::format("skipped as results because they are not sieves: {}", fmt::join(names, ", "))
         );
     }
 }

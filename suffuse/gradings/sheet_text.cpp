@@ -103,8 +103,8 @@ std::shared_ptr<const Source> decode_sheet(const std::shared_ptr<const Source>& 
         }
         decoded->text = std::move(text);
         problems.warning(
-            "W508", {source, 0, 0, 1}, "read as Windows-1252, for it is not UTF-8 text",
-            "save it as UTF-8 where a letter looks wrong"
+            "W508", {source, 0, 0, 1}, "read as Windows-1252 because it is not UTF-8 text",
+            "save it as UTF-8 if a letter looks wrong"
         );
     }
     unify_line_ends(decoded->text);

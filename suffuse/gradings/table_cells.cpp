@@ -85,7 +85,7 @@ ShareUnit TableCells::decide_unit(const ShareColumn& share) {
     }
     problems_.warning(
         sheet_remark, place_at(*at, share.index),
-        fmt::format("shares are read as fractions of 1, for none is above {:.4g}", most),
+        fmt::format("shares are read as fractions of 1 because none is above {:.4g}", most),
         "name the column `passing [-]` to say so"
     );
     return ShareUnit::Fraction;
@@ -117,7 +117,7 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
     }
     if (size->notation == SizeNotation::SieveNumber && !size->is_on_scale) {
         complain(
-            place_at(row, column), fmt::format("\"{}\" is no sieve number of ASTM E11", text),
+            place_at(row, column), fmt::format("\"{}\" is not a sieve number of ASTM E11", text),
             "write its opening with a unit, as in 4.75 mm; a comment begins with # and a blank"
         );
         return std::nullopt;
@@ -125,7 +125,7 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
     if (size->notation == SizeNotation::Inches && !size->is_on_scale) {
         problems_.warning(
             sheet_remark, place_at(row, column),
-            fmt::format("\"{}\" is no sieve of ASTM E11: read as {:.4g} mm", text, 1e3 * size->diameter)
+            fmt::format("\"{}\" is not a sieve of ASTM E11: read as {:.4g} mm", text, 1e3 * size->diameter)
         );
     }
     const bool has_unit = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
@@ -133,7 +133,7 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
         size->diameter, has_unit, columns_.size.scale == SizeScale::Phi ? turned(split.sense) : split.sense};
 }
 
-/// A decimal comma where commas separate, or beside decimal points.
+/// A decimal comma where commas separate, or together with decimal points.
 bool TableCells::check_comma(const SheetRow& row, std::size_t column) {
     const std::string& text = row.cells[column].text;
     const bool is_ambiguous = has_points_ || (sheet_.mark == ',' && may_be_thousands(text));

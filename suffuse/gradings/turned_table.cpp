@@ -229,7 +229,7 @@ private:
             });
             if (sizes >= static_cast<std::ptrdiff_t>(least_sieves) && !is_repeated) {
                 problems_.error(
-                    "E502", row->place, "a second row of sieves across, other than the first",
+                    "E502", row->place, "a second row of sieves that differs from the first",
                     "keep each table with its sieves in a file of its own"
                 );
             }
@@ -311,7 +311,7 @@ private:
         return table;
     }
 
-    /// "D10", "Gravel %" beside the sieves: of the sample of the row; below all samples: of the only one.
+    /// "D10", "Gravel %" next to the sieves: of the sample of the row; below all samples: of the only one.
     void add_derived(const std::vector<const SheetRow*>& rows, SheetTable& table) {
         for (DerivedValue& value : derived_) {
             value.column = std::string::npos;
@@ -345,7 +345,7 @@ private:
         problems_.warning(
             sheet_remark, row.place,
             fmt::format(
-                "the sieves stand across, and a line is a sample: {} sieves, {} {}{}{}", across_.columns.size(),
+                "the sieves are in columns, and each line is a sample: {} sieves, {} {}{}{}", across_.columns.size(),
                 samples, samples == 1 ? "sample" : "samples",
                 unread.empty() ? "" : "; not read: ", fmt::join(unread, ", ")
             )

@@ -43,7 +43,7 @@ public:
                     return std::nullopt;
                 }
                 problems_.warning(
-                    sheet_remark, sheet_.rows[k].place, "passed over: it is no row of two numbers",
+                    sheet_remark, sheet_.rows[k].place, "skipped: it is not a row of two numbers",
                     "name the columns in it: `d [mm],passing [%]`"
                 );
             }
@@ -51,7 +51,7 @@ public:
         problems_.warning(
             sheet_remark, sheet_.rows[found_.first_row].place,
             fmt::format(
-                "no names of columns: the {} is read as the size in mm, the other as a cumulative share",
+                "no column headings: the {} is read as the size in mm, the other as a cumulative share",
                 first ? "first" : "second"
             ),
             "begin with a line `d [mm],passing [%]` to say so"
@@ -94,7 +94,7 @@ private:
         const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
         problems_.error(
             "E506", first != sheet_.rows.end() ? first->place : sheet_.rows.front().place,
-            are_two_columns ? "no names of columns, and the numbers do not say which are the sizes"
+            are_two_columns ? "no column headings, and the numbers do not show which are the sizes"
                             : "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
             expected_header
         );

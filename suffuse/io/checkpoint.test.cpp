@@ -137,7 +137,7 @@ TEST(Checkpoint, WhatAStageNeedsToGoOnIsRefusedWhereOneByteOfItHasChanged) {
     save_world(folder / "partial.h5", {}, {}, {}, {bytes, needed.size()});
     EXPECT_EQ(load_world(folder / "partial.h5").unfinished, std::vector<std::uint8_t>(bytes, bytes + needed.size()));
     std::string file = test::read_all(folder / "partial.h5");
-    file.replace(file.find(needed), needed.size(), "what the verb heeds to go on");
+    file.replace(file.find(needed), needed.size(), "what the verb keeps to go on");
     write_file(folder / "partial.h5", file);
     EXPECT_THROW(load_world(folder / "partial.h5"), IoError);
 }
@@ -244,12 +244,12 @@ TEST(Checkpoint, AFileRecordsItsOriginAndTheStateIsTheSame) {
     dem::World world;
     world.seed = 7;
     save_world(folder / "plain.h5", world);
-    save_world(folder / "told.h5", world, {}, {{"case_hash", "0123"}, {"stage", "s/initial"}});
+    save_world(folder / "marked.h5", world, {}, {{"case_hash", "0123"}, {"stage", "s/initial"}});
     EXPECT_EQ(
-        dem::state_hash(load_world(folder / "told.h5").world), dem::state_hash(load_world(folder / "plain.h5").world)
+        dem::state_hash(load_world(folder / "marked.h5").world), dem::state_hash(load_world(folder / "plain.h5").world)
     );
-    EXPECT_TRUE(load_world(folder / "told.h5").attributes.empty());
-    const Hdf5Reader file(folder / "told.h5");
+    EXPECT_TRUE(load_world(folder / "marked.h5").attributes.empty());
+    const Hdf5Reader file(folder / "marked.h5");
     EXPECT_EQ(file.attribute("program"), std::string("suffuse ") + version());
     EXPECT_EQ(file.attribute("commit"), commit());
     EXPECT_EQ(file.attribute("seed"), "7");

@@ -58,8 +58,8 @@ inline double positive_in(const LineReader& reader, std::string_view field, std:
 /// Why a box is no cell.
 inline std::string not_periodic(const std::string& file, int line, std::string_view found, std::size_t axis) {
     return fmt::format(
-        "{}:{}: found {} along {}, and samples are periodic along all axes: its box is no cell", file, line, found,
-        "xyz"[axis]
+        "{}:{}: found {} along {}, and samples must be periodic along all axes, so its box is not a cell", file, line,
+        found, "xyz"[axis]
     );
 }
 

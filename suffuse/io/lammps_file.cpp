@@ -111,7 +111,7 @@ private:
         }
         style_ = is_hybrid ? Style::Hybrid : style == "atomic" ? Style::Atomic : Style::Sphere;
         if (radius_ && style_ != Style::Atomic) {
-            reader_.complain("the file has diameters of its own, and a radius for all was given: leave that out");
+            reader_.complain("the file contains diameters, and a radius for all was given: leave that out");
         }
         if (is_hybrid) {
             result_.warnings.push_back(fmt::format(

@@ -27,10 +27,10 @@ std::string fault_of(int descriptor) {
         return "is no regular file; remove it and call again";
     }
     if (status.st_uid != ::geteuid()) {
-        return "belongs to another user; copy the run, and go on with the copy";
+        return "belongs to another user; copy the run and continue with the copy";
     }
     if (status.st_nlink != 1) {
-        return "has another name elsewhere (a hard link), where it would be changed, too; put a copy in its place";
+        return "has another name elsewhere (a hard link), where it would be changed, too; replace it by a copy";
     }
     return {};
 }

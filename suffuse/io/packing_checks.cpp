@@ -99,7 +99,7 @@ WorstPair find_worst_pair(const grains::Grains& grains, const Mat3& h, const std
         const double ri = grains.radius[p.first], rj = grains.radius[p.second], smaller = std::min(ri, rj);
         const double distance = norm(grains.position[p.second] + cell::shift(h, p.image) - grains.position[p.first]);
         if (distance < same_place * smaller) {
-            refuse(origin, names_of(grains, p) + " lie in one place; check that each grain has one row");
+            refuse(origin, names_of(grains, p) + " are at the same place; check that each grain has one row");
         }
         if (const double overlap = (ri + rj - distance) / smaller; overlap > worst.overlap) {
             worst = {p, overlap};
@@ -128,8 +128,8 @@ std::optional<std::string> size_warning(const grains::Grains& grains) {
         return std::nullopt;
     }
     return fmt::format(
-        "the median diameter is {:.4g} m, {}; lengths are read in m: of a file in mm say so, by unit = \"1 mm\" in a "
-        "case and in Python, --unit mm of suffuse import",
+        "the median diameter is {:.4g} m, {}; lengths are read in m: for a file in mm use unit = \"1 mm\" in a case or "
+        "in Python, or --unit mm of suffuse import",
         median, median > coarsest ? "coarser than gravel" : "finer than clay"
     );
 }
@@ -155,7 +155,7 @@ std::optional<std::string> empty_cell_warning(const grains::Grains& grains, cons
         return std::nullopt;
     }
     return fmt::format(
-        "the grains fill a share of {:.1e} of the cell (void ratio {:.3g}): cell and unit say which lengths are meant",
+        "the grains fill a share of {:.1e} of the cell (void ratio {:.3g}): check the cell and the unit of lengths",
         1 / (1 + void_ratio), void_ratio
     );
 }

@@ -86,7 +86,7 @@ TEST(PackingChecks, TwoGrainsInOnePlaceAreRefusedWhateverIsAllowed) {
     request.only_looks = true;
     EXPECT_EQ(
         complaint("x,y,z,r\n1e-3,0,0,1e-4\n2e-3,0,0,1e-4\n1e-3,0,3e-3,2e-4\n", request),
-        "p.any: grains 0 and 2 lie in one place; check that each grain has one row"
+        "p.any: grains 0 and 2 are at the same place; check that each grain has one row"
     );
 }
 
@@ -106,7 +106,7 @@ TEST(PackingChecks, ABoxWithWallsIsACellOnlyForOneWhoSaysSo) {
     EXPECT_FALSE(box.h.has_value());
     EXPECT_NE(box.no_cell.find("p.any:3: found boundaries ff along x"), std::string::npos) << box.no_cell;
     EXPECT_TRUE(warns(
-        take(dump, in_box(4e-3)), "ff along x, and samples are periodic along all axes: its box is no cell; "
+        take(dump, in_box(4e-3)), "ff along x, and samples must be periodic along all axes, so its box is not a cell; "
                                   "the cell given is, and grains meet across its faces"
     ));
 }

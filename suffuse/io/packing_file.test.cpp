@@ -163,7 +163,7 @@ TEST(PackingFile, NamesOfColumnsMayBeWrittenAsOtherProgramsDo) {
     EXPECT_NE(both.warnings[0].find("columns \"id\", \"d\" ignored"), std::string::npos) << both.warnings[0];
     EXPECT_EQ(complaint("x,y,z,d\n1,2,3,-1\n"), "p.csv:2: found diameter -1, expected a positive one");
     EXPECT_EQ(complaint("x,y,z,r,radius\n"), "p.csv:1: column r occurs twice");
-    EXPECT_NE(complaint("x [mm],y [mm],z [mm],r [mm]\n").find("and `unit` says another one"), std::string::npos);
+    EXPECT_NE(complaint("x [mm],y [mm],z [mm],r [mm]\n").find("unless `unit` is given"), std::string::npos);
 }
 
 TEST(PackingFile, YadeStatesItsColumnsAndItsCellInComments) {
@@ -221,7 +221,7 @@ TEST(PackingFile, ReferencePackingIsReadFromGzip) {
     EXPECT_EQ(packing.grains.position[0].x, 0.00053771875529922612); // first number of the file
     const cell::Cell cell{diagonal({0.0014360856339985508, 0.0014358137235332051, 0.001436026846625529}), {}};
     const double solid = grains::solid_volume(packing.grains) / cell::volume(cell);
-    EXPECT_NEAR(1 - solid, 0.4026691676584173, 1e-12); // porosity stated beside it; rounding
+    EXPECT_NEAR(1 - solid, 0.4026691676584173, 1e-12); // porosity stated next to it; rounding
     const double worst = check_overlaps(packing.grains, cell, 0.1);
     // Settled at 100 kPa: the mean overlap is about p/E = 3e-4, the worst of 800 contacts some tens of times that.
     EXPECT_GT(worst, 3e-4);

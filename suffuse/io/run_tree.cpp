@@ -40,8 +40,7 @@ void look_into(const fs::path& folder, Purpose purpose, Foreign& foreign) {
         }
         if (S_ISLNK(status.st_mode) && purpose == Purpose::Work) {
             throw IoError(fmt::format(
-                "{} is a link: a run folder that is written to holds none; put what it names in its place, or remove "
-                "it",
+                "{} is a link: a run folder that is written to holds none; replace it by its target, or remove it",
                 file.string()
             ));
         }

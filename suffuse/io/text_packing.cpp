@@ -101,14 +101,14 @@ void check_columns(const LineReader& reader, const Names& names, const Columns& 
         const std::size_t group = k < needed ? 0 : (k - needed) / 3 * 3 + needed; // first column of its vector
         const bool wanted = k < needed || has(columns, group) || has(columns, group + 1) || has(columns, group + 2);
         if (has_radius && k == radius && has(columns, k)) {
-            reader.complain("the file has radii of its own, and one for all was given: leave that out");
+            reader.complain("the file contains radii, and one for all was given: leave that out");
         }
         if (wanted && !has(columns, k) && !(has_radius && k == radius)) {
             const bool has_units = reader.line().find_first_of("[(") != std::string_view::npos;
             reader.complain(fmt::format(
                 "column {} is missing; found \"{}\", expected a header with {}{}", known[k], fmt::join(names, ","),
                 fmt::join(known.begin(), known.begin() + (k < needed ? 4 : 10), ","),
-                has_units ? "; lengths are in m, and `unit` says another one" : ""
+                has_units ? "; lengths are in m unless `unit` is given" : ""
             ));
         }
     }
@@ -232,7 +232,7 @@ bool begins_with_ids(std::string_view text) {
     return rows >= needed_rows;
 }
 
-/// What separates columns, told by the first row; a blank for any number of blanks and tabs.
+/// What separates columns, found in the first row; a blank for any number of blanks and tabs.
 char mark_in(std::string_view line) {
     const std::size_t found = line.find_first_of(",;");
     return found != std::string_view::npos ? line[found] : has(columns_of(split_at(line, '\t')), 0) ? '\t' : ' ';

@@ -42,12 +42,12 @@ public:
         const std::size_t root = text_.find("<VTKFile");
         const std::string_view tag = tag_at(root);
         if (attribute(tag, "byte_order") == "BigEndian") {
-            complain("", "is big-endian, expected LittleEndian: save it again on a usual machine");
+            complain("", "is big-endian, expected LittleEndian: save it again as LittleEndian");
         }
         wide_header_ = attribute(tag, "header_type") == "UInt64";
         compressed_ = !attribute(tag, "compressor").empty();
         if (compressed_ && attribute(tag, "compressor") != "vtkZLibDataCompressor") {
-            complain("", "is compressed by other means than zlib; save it again with vtkZLibDataCompressor, or plain");
+            complain("", "is not compressed with zlib; save it again with vtkZLibDataCompressor, or plain");
         }
         std::size_t end = find_appended();
         std::string section;

@@ -70,7 +70,7 @@ parse_vtp(const std::string& file, std::string_view text, double density, std::o
         );
     }
     if (has_size && equal_radius) {
-        throw CaseError(fmt::format("{}: has radii of its own, and one for all was given: leave that out", file), file);
+        throw CaseError(fmt::format("{}: contains radii, and one for all was given: leave that out", file), file);
     }
     const VtkColumn* velocity = find(arrays, {"velocity", "linVelVec", "v", "Velocity"}, 3, rows);
     const VtkColumn* spin = find(arrays, {"angular_velocity", "angVelVec", "omega", "AngularVelocity"}, 3, rows);
