@@ -61,8 +61,8 @@ std::string conditions(const study::FinesSweep& sweep) {
             ? grouped(std::llround(most->value.mean))
             : grouped(std::llround(fewest->value.mean)) + " to " + grouped(std::llround(most->value.mean));
     return fmt::format(
-        "Asked: from which fines content on the fines of the soil “{}” carry load. {} mixtures of {} to {} fines, {} "
-        "{} of each with {} grains, were brought to {} kPa{}.",
+        "Question: from which fines content on do the fines of the soil “{}” carry load? {} mixtures of {} to {} "
+        "fines, {} {} of each with {} grains, were brought to {} kPa{}.",
         sweep.study->soil, study.fines_content.size(), percent_name(study.fines_content.front()),
         percent_name(study.fines_content.back()), seeds, seeds == 1 ? "sample" : "samples", count,
         short_number(pressure.front().value.mean / 1e3),
@@ -181,7 +181,7 @@ std::string thresholds_sentence(const std::optional<study::FinesResults>& result
     };
     const auto lies = [&](study::ThresholdKind lowest) {
         const auto at = found(lowest);
-        return at ? "lies at FC = " + *at : "cannot be placed by these fines contents";
+        return at ? "is at FC = " + *at : "cannot be placed by these fines contents";
     };
     const auto begins = [&](study::ThresholdKind onset) {
         const auto at = found(onset);
@@ -208,11 +208,10 @@ std::optional<figures::PageTable> thresholds_table(const std::optional<study::Fi
     figures::PageTable table;
     table.section = "Fines and structure";
     table.title = "Thresholds of the fines content";
-    table.note =
-        "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. FC_active: "
-        "break of two straight lines through the rising part of the curve; none where a quarter of the rise is made "
-        "before it, or where the curve has too few points to one side, or too far ones, to tell its place. Deviations "
-        "are those of the seeds; how far the points of the sweep lie apart comes on top.";
+    table.note = "FC_threshold: vertex of the parabola through the lowest point of the curve and its neighbors. "
+                 "FC_active: break of two straight lines through the rising part of the curve; none where a quarter of "
+                 "the rise is made before it, or where the curve has too few points to one side, or too distant ones, "
+                 "to locate the break. Deviations are those of the seeds; the spacing of the sweep adds to them.";
     table.header = {"threshold", "read from", "fines content [%]", "deviation [%]", "seeds"};
     table.numeric = {false, false, true, true, true};
     for (const study::ContentThreshold& threshold : results->thresholds) {

@@ -31,7 +31,7 @@ TEST(FinesFindings, AThresholdThatCannotBeLocatedIsReportedAsNone) {
         "show no onset."
     );
     results.thresholds.front().at = study::scatter_of({0.38, 0.42});
-    EXPECT_NE(thresholds_sentence(results).find("lies at FC = 40.0 ± 2.8 %;"), std::string::npos)
+    EXPECT_NE(thresholds_sentence(results).find("is at FC = 40.0 ± 2.8 %;"), std::string::npos)
         << thresholds_sentence(results);
 }
 

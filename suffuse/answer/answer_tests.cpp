@@ -129,8 +129,9 @@ describe_tests(const std::vector<record::FinishedStage>& stages, const std::vect
             continue;
         }
         sentences.push_back(fmt::format(
-            "{}: with the deviator stress held, an excess pore pressure of {} is the most that is borne{}.", test.name,
-            describe_peaks(test.responses, "excess_pore_pressure", "peak_strain"), describe_failures(test.responses)
+            "{}: with the deviator stress held, an excess pore pressure of {} is the most that the sample bears{}.",
+            test.name, describe_peaks(test.responses, "excess_pore_pressure", "peak_strain"),
+            describe_failures(test.responses)
         ));
     }
     if (!strength.empty()) {

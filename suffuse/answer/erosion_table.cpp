@@ -31,7 +31,7 @@ std::vector<std::string> row_of(const record::FinishedStage& stage) {
         change ? short_number(*change) : "–",
         percent_beyond_noise(worst == nullptr ? 0 : 100 * std::max(0.0, *erosion::stress_loss(*worst))),
         percent_beyond_noise(100 * strain),
-        last.verdict ? facts::words_of(last.verdict) : "passes asked for"};
+        last.verdict ? facts::words_of(last.verdict) : "passes specified"};
 }
 
 } // namespace

@@ -93,20 +93,21 @@ std::string safety_text(const MobilityStory& story) {
     return fmt::format("factor of safety {} before 1 % move {}", factor, distance_text(story));
 }
 
-/// Of the shares that move at the asked gradient, others than the one that counts.
+/// Of the shares that move at the specified gradient, others than the one that counts.
 std::string compare_measures(const MobilityStory& story) {
     const std::vector<erosion::MobilityStep>& ramp = story.one().ramp;
     const auto step = std::ranges::find_if(ramp, [&](const erosion::MobilityStep& level) {
         return level.gradient >= story.specified_gradient.value_or(level.gradient) &&
                level.displaced_mass_share >= 0.01;
     });
-    return step == ramp.end() ? ""
-                              : fmt::format(
-                                    "What counts as moved decides: at i = {:.2f}, {} of the mass moved {} along the "
-                                    "flow, {} half a diameter in any direction, {} a tenth of one along it.",
-                                    step->gradient, moved_text(step->mobile_mass_share), distance_text(story),
-                                    moved_text(step->displaced_mass_share), moved_text(step->lifted_mass_share)
-                                );
+    return step == ramp.end()
+               ? ""
+               : fmt::format(
+                     "The result depends on the definition of movement: at i = {:.2f}, {} of the mass moved {} along "
+                     "the flow, {} half a diameter in any direction, {} a tenth of one along it.",
+                     step->gradient, moved_text(step->mobile_mass_share), distance_text(story),
+                     moved_text(step->displaced_mass_share), moved_text(step->lifted_mass_share)
+                 );
 }
 
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51": means alone.
@@ -129,7 +130,7 @@ double within_step(const MobilityStory& story, double gradient) {
     return 0;
 }
 
-/// What Skempton and Brogan's rule makes of the asked gradient; nothing where it does not apply.
+/// What Skempton and Brogan's rule makes of the specified gradient; nothing where it does not apply.
 std::optional<double> safety_by_rule(const MobilityStory& story) {
     if (!story.specified_gradient || !(*story.specified_gradient > 0) || story.skempton_brogan.seeds == 0) {
         return std::nullopt;
@@ -137,7 +138,7 @@ std::optional<double> safety_by_rule(const MobilityStory& story) {
     return story.skempton_brogan.mean / *story.specified_gradient;
 }
 
-/// Whether rule and motion call the asked gradient safe alike.
+/// Whether rule and motion call the specified gradient safe alike.
 bool do_disagree(const MobilityStory& story) {
     const std::optional<double> by_rule = safety_by_rule(story);
     if (!by_rule || !(is_met(story.safety, story) || story.safety_at_least)) {
@@ -166,14 +167,14 @@ Headline safety_headline(const MobilityStory& story) {
     if (!is_met(story.safety, story)) {
         headline.value = "≥ " + fixed(*story.safety_at_least, 1);
         headline.detail = fmt::format(
-            "{} before 1 % of the fines move; asked {:.2f}", goes_to_heave(story) ? "the soil heaves" : "the ramp ends",
-            specified
+            "{} before 1 % of the fines move; specified {:.2f}",
+            goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
         );
         headline = with_certainty(std::move(headline), story.of_sample.size());
     } else if (story.safety.seeds > 1) {
         headline.value = fixed(story.safety.mean, 1);
         headline.spread = spread_text(story.safety, 1, 1);
-        headline.detail = fmt::format("{} samples; asked {:.2f}", story.safety.seeds, specified);
+        headline.detail = fmt::format("{} samples; specified {:.2f}", story.safety.seeds, specified);
         headline = with_certainty(std::move(headline), static_cast<std::size_t>(story.safety.seeds));
     } else {
         const double half = within_step(story, story.moves_1.mean) / specified;
@@ -186,17 +187,17 @@ Headline safety_headline(const MobilityStory& story) {
     const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
     if (moves_late || (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean)) { // what fails first decides
         headline.caution = fmt::format(
-            "The whole soil heaves before, at {} times the asked gradient.", fixed(story.heave.mean / specified, 1)
+            "The whole soil heaves before, at {} times the specified gradient.", fixed(story.heave.mean / specified, 1)
         );
     }
     if (do_disagree(story)) {
         headline.caution =
-            fmt::format("Skempton and Brogan's rule gives {}. Why: below.", fixed(*safety_by_rule(story), 1));
+            fmt::format("Skempton and Brogan's rule gives {}; the reason is below.", fixed(*safety_by_rule(story), 1));
     }
     return headline;
 }
 
-/// Why the stress that fines carry tells another gradient than what moves them.
+/// Why the stress that fines carry gives another gradient than what moves them.
 std::string compare_with_alpha(const MobilityStory& story) {
     if (story.skempton_brogan.seeds == 0) {
         return "";
@@ -241,8 +242,8 @@ std::string compare_with_passage(const MobilityStory& story) {
         return "";
     }
     return fmt::format(
-        "Of what moves at i = {:.2f}, {:.0f} % of the mass is wider than the mean constriction of the skeleton and "
-        "does not leave.",
+        "Of the fines that move at i = {:.2f}, {:.0f} % by mass are wider than the mean constriction of the skeleton "
+        "and do not leave.",
         last.gradient, 100 * (1 - *last.leaving_mass_share / last.mobile_mass_share)
     );
 }
@@ -263,7 +264,7 @@ std::string verdict(const MobilityStory& story) {
     }
     if (story.moved_at_specified.seeds == 0) {
         return fmt::format(
-            "{} The asked {:.2f} lies beyond the ramp ({}).", text, *story.specified_gradient, samples_text(story)
+            "{} The specified {:.2f} is beyond the ramp ({}).", text, *story.specified_gradient, samples_text(story)
         );
     }
     return fmt::format(
@@ -284,7 +285,7 @@ std::vector<std::string> remarks_on(const MobilityStory& story) {
     if (story.sifts) {
         remarks.push_back(fmt::format(
             "{} of the fines' mass sift through the skeleton under their own weight, without flow: the soil segregates "
-            "when it is placed.",
+            "during placement.",
             moved_text(story.one().sifting_mass_share)
         ));
     }
@@ -312,7 +313,7 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
             }
         }
     } else {
-        sentences.push_back(fmt::format("{} more are in the table “What gradients move”.", stories.size() - 1));
+        sentences.push_back(fmt::format("{} more are in the table “Gradients that move fines”.", stories.size() - 1));
     }
     return sentences;
 }
@@ -325,7 +326,7 @@ std::vector<std::string> short_verdict(const MobilityStory& story) {
         return lines;
     }
     if (story.moved_at_specified.seeds == 0) {
-        lines.push_back(fmt::format("The asked {:.2f} lies beyond the ramp.", *story.specified_gradient));
+        lines.push_back(fmt::format("The specified {:.2f} is beyond the ramp.", *story.specified_gradient));
         return lines;
     }
     MobilityStory means = story;
@@ -346,8 +347,9 @@ std::optional<std::string> disagreement(const MobilityStory& story) {
         "Skempton and Brogan's α i_c = {:.2f} is {} the specified {:.2f} and calls it {}. {}",
         story.skempton_brogan.mean, rule_warns ? "below" : "above", *story.specified_gradient,
         rule_warns ? "unstable" : "stable",
-        rule_warns ? "The rule asks what stress the fines carry. The ramp also feels the coarse grains that cage them."
-                   : "The rule takes a mean over all fines. The ramp finds the first that carry nothing."
+        rule_warns ? "The rule considers the mean stress that the fines carry. The ramp also includes the coarse "
+                     "grains that cage them."
+                   : "The rule uses a mean over all fines. The ramp finds the first fines that carry nothing."
     );
 }
 
@@ -383,8 +385,7 @@ std::optional<std::string> what_weight_would_change(const std::vector<record::Fi
         return std::nullopt;
     }
     return "Grains have no weight in this case, as in the paper: with [gravity] loose fines stay in their pockets "
-           "until "
-           "a gradient lifts them, and the run tells which.";
+           "until a gradient lifts them, and the run finds that gradient.";
 }
 
 } // namespace suffuse::answer

@@ -10,8 +10,8 @@ std::optional<figures::PageTable> tabulate_readings(const std::vector<study::Rea
     table.section = "Erosion";
     table.title = "The paper's findings by reading";
     table.note =
-        "A reading is a way from the sample to its last erosion: how grains are called detachable, and what is done "
-        "between the passes. By noise: the grains that meet it do what their twin does without water.";
+        "A reading is a way from the sample to its last erosion: how grains are classified as detachable, and what "
+        "happens between the passes. By noise: the grains that meet it move like their twins without water.";
     table.header = {"reading"};
     for (const study::Finding& finding : readings.front().findings) {
         table.header.push_back(finding.id);

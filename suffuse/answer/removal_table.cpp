@@ -47,10 +47,9 @@ std::optional<figures::PageTable> removal_table(const std::vector<study::Removal
     figures::PageTable table;
     table.section = "Tests";
     table.title = "Removal of all fines at once";
-    table.note =
-        "Strain: the largest of an axis, while the stresses are held; “above” where the skeleton did not carry "
-        "them any more. Loss of mean stress: at constant volume, before. Highest q: of compression without the "
-        "fines, of that with them.";
+    table.note = "Strain: the largest of an axis, while the stresses are held; “above” if the skeleton no longer "
+                 "carried them. Loss of mean stress: at constant volume, before. Highest q: of compression without the "
+                 "fines, of that with them.";
     table.header = {"fines content [%]",  "q/p before [-]",          "samples",      "removed mass [%]",
                     "largest strain [%]", "loss of mean stress [%]", "highest q [%]"};
     table.numeric.assign(table.header.size(), true);

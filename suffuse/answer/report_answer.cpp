@@ -28,7 +28,7 @@ namespace {
 
 using nlohmann::json;
 
-/// "12.3 %", or that there is nothing to tell.
+/// "12.3 %", or that there is nothing to report.
 std::string percent_or_none(double percent) {
     return is_noise(percent) ? "less than 0.01 %" : percent_beyond_noise(percent) + " %";
 }
@@ -117,13 +117,13 @@ std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
         sentences.push_back(std::move(transport));
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;
-    if (ending && ending != erosion::Ending{erosion::NothingLeaves{}}) { // told already
+    if (ending && ending != erosion::Ending{erosion::NothingLeaves{}}) { // already reported
         sentences.push_back(fmt::format("It ended there: {}.", facts::words_of(ending)));
     }
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-/// By the rule asked for.
+/// By the specified rule.
 std::int64_t count_detachable(const erosion::ProbeResult& probe, const erosion::DetachSpec& rule) {
     return std::ranges::count(erosion::verdicts(rule, probe), std::uint8_t{1});
 }
@@ -228,16 +228,17 @@ std::string describe_question(const study::ErosionStory& story, bool has_strengt
     const std::string which =
         erosion::is_forced(story.erosion)
             ? fmt::format(
-                  "what {} {} in which fines of the soil “{}” are taken out by force", passes,
-                  passes == 1 ? "pass" : "passes", soil
+                  "how removing fines of the soil “{}” by force, in {} {}, changes", soil, passes,
+                  passes == 1 ? "pass" : "passes"
               )
             : fmt::format(
-                  "which fines of the soil “{}” a gradient of i = {:g} detaches, and what {} {} of their removal", soil,
-                  story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes"
+                  "which fines of the soil “{}” a gradient of i = {:g} detaches, and how {} {} of their removal {}",
+                  soil, story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes",
+                  passes == 1 ? "changes" : "change"
               );
     return fmt::format(
-        "Asked: {} {} to stress, volume{} permeability{}.", which, passes == 1 ? "does" : "do",
-        has_strength ? "," : " and", has_strength ? " and strength" : ""
+        "Question: {} stress, volume{} permeability{}.", which, has_strength ? "," : " and",
+        has_strength ? " and strength" : ""
     );
 }
 
@@ -258,7 +259,7 @@ std::optional<std::string> describe_part(const study::ErosionStory& story) {
     );
 }
 
-/// What it means where hardly a grain that left carried load: another gradient would have taken the same.
+/// What it means where almost no grain that left carried load: another gradient would have taken the same.
 std::string describe_idle(const erosion::ErosionResult& erosion) {
     constexpr double nearly_all = 0.98;
     constexpr int least_carrying = 2; // contacts
@@ -324,11 +325,11 @@ describe_range(const study::ErosionStory& story, const std::vector<record::Finis
     }
     if (story.eroded == nullptr || percent.size() < 2 ||
         (percent.size() == story.others.size() + 1 && !are_too_many(story))) {
-        return std::nullopt; // all of one sample, and told one after the other
+        return std::nullopt; // all of one sample, and reported one after the other
     }
     const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
     return fmt::format(
-        "{} erosions took {:.2f} to {:.2f} % of the mass (table “All erosions”); what follows is of {}.",
+        "{} erosions removed {:.2f} to {:.2f} % of the mass (table “All erosions”); the following describes {}.",
         percent.size(), *least, *most, study::in_words_of_sample(*story.eroded)
     );
 }

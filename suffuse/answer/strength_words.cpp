@@ -85,13 +85,13 @@ std::string how_sure(const study::StrengthChange& change) {
     const int samples = change.borne().change.seeds;
     if (samples < 2) {
         return samples == 0              ? ""
-               : change.holds_deviator() ? " One sample: what others bear differs by some 50 %."
-                                         : " One sample: the strengths of others differ by some 10 %.";
+               : change.holds_deviator() ? " One sample: in others it may differ by about 50 %."
+                                         : " One sample: the strengths of others may differ by about 10 %.";
     }
     std::string text = fmt::format(" Means of {} samples, ± one standard deviation", samples);
     if (change.is_weaker() && samples <= few_samples && by_chance(change.borne().change) > notable_chance) {
         text += fmt::format(
-            "; of so few, scatter alone gives as clear a change in {} % of the cases",
+            "; with so few samples, scatter alone gives as clear a change in {} % of the cases",
             short_number(percent * by_chance(change.borne().change), 2)
         );
     }
@@ -117,9 +117,8 @@ std::string describe_beyond_peak(const study::StrengthChange& change) {
     }
     if (change.residual_deviator.change.seeds > 0) {
         text += fmt::format(
-            ", and what is left in the critical state, near {} %, from {} ({})",
-            short_number(percent * end_strain(change), 3), from_to(change.residual_deviator, kilo, 4, " kPa"),
-            change_in_percent(change.residual_deviator)
+            ", and the critical-state strength, near {} %, from {} ({})", short_number(percent * end_strain(change), 3),
+            from_to(change.residual_deviator, kilo, 4, " kPa"), change_in_percent(change.residual_deviator)
         );
     }
     return text;
@@ -162,7 +161,7 @@ std::string describe_change(const study::StrengthChange& change) {
     return text + how_sure(change);
 }
 
-/// "; WHAT changes by −30 to +5 %"; empty where no two tests tell it.
+/// "; WHAT changes by −30 to +5 %"; empty where no two tests give it.
 std::string range_of(
     const std::vector<study::StrengthChange>& changes, study::BeforeAfter study::StrengthChange::*value,
     const char* what
@@ -188,8 +187,8 @@ std::string describe_all(const std::vector<study::StrengthChange>& changes) {
         stronger += change.is_weaker() == false ? 1 : 0;
     }
     const std::string text = fmt::format(
-        "Of {} comparisons of a test before fines went with the same test after (table “{}”), {} find the soil weaker, "
-        "{} stronger, and {} no change beyond the scatter of samples",
+        "Of {} comparisons of a test before and after the loss of fines (table “{}”), {} find the soil weaker, {} "
+        "stronger, and {} no change beyond the scatter of samples",
         changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger
     );
     return text + range_of(changes, &study::StrengthChange::peak_deviator, "the highest deviator stress") +
@@ -254,7 +253,7 @@ std::vector<Column> columns_of(const std::vector<study::StrengthChange>& changes
         pair("excess pore pressure borne [kPa]", &StrengthChange::pore_pressure, kilo, 3);
         change(&StrengthChange::pore_pressure);
     }
-    if (changes.size() > most_reported) { // of few, a sentence each tells them
+    if (changes.size() > most_reported) { // of few, a sentence each describes them
         columns.push_back(
             {"remarks", [](const StrengthChange& c) { return c.remarks.empty() ? "–" : remarks_of(c, "; "); }, false}
         );
@@ -300,13 +299,11 @@ std::optional<figures::PageTable> tabulate_strength(const std::vector<study::Str
     figures::PageTable table;
     table.section = "Tests";
     table.title = title_of_table;
-    table.note =
-        "The same test on the same sample, before fines went and after; changes are those of each sample, ± one "
-        "standard deviation over the samples. Void ratio: before fines went, and where the second test starts. "
-        "Critical "
-        "state: over the last 10 % of axial strain neither volume nor stress go on changing. Contraction positive. "
-        "Laboratories found eroded soil more contractive than before (Chen, Zhang and Chang 2016) and slightly more "
-        "dilative (hal-02608716).";
+    table.note = "The same test on the same sample, before and after the loss of fines; changes are those of each "
+                 "sample, ± one standard deviation over the samples. Void ratio: before the loss, and at the start of "
+                 "the second test. Critical state: over the last 10 % of axial strain neither volume nor stress "
+                 "changes further. Contraction positive. Laboratories found eroded soil more contractive than before "
+                 "(Chen, Zhang and Chang 2016) and slightly more dilative (hal-02608716).";
     table.rows.resize(changes.size());
     for (const Column& column : columns_of(changes)) {
         table.header.push_back(column.header);

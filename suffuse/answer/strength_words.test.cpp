@@ -79,11 +79,10 @@ TEST(StrengthChange, IsThatOfTheSameTestOnTheSameSample) {
         strength_sentences(changes),
         (std::vector<std::string>{
             "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. Its highest deviator "
-            "stress "
-            "goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at 10 % "
-            "axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. Too short to see the "
-            "critical state, and what strength is left there: at 10 % axial strain volume or stress still change. One "
-            "sample: the strengths of others differ by some 10 %."})
+            "stress goes from 400 to 300 kPa (−25 %), the friction angle there from 40 to 30°, the deviator stress at "
+            "10 % axial strain from 320 to 240 kPa (−25 %), the void ratio from 0.7 to 0.9. Too short to reach the "
+            "critical state: at 10 % axial strain volume or stress still change. One "
+            "sample: the strengths of others may differ by about 10 %."})
     );
     EXPECT_EQ(strength_headline(changes).value().value, "−25 %");
     EXPECT_EQ(tabulate_strength(changes).value().rows.front().size(), tabulate_strength(changes).value().header.size());
@@ -96,8 +95,9 @@ TEST(StrengthChange, SaysHowOftenChanceGivesAsClearAChangeWhereThatIsMoreThanOnc
             study.add_sample(400e3, 400e3 * (1 - 0.25 * (1 + side / t)));
         }
         const std::string reported = strength_sentences(study::compare_strength(study.stages)).front();
-        EXPECT_EQ(reported.find("of so few, scatter alone gives as clear a change") != std::string::npos, t < 12.7)
-            << reported;
+        EXPECT_EQ(
+            reported.find("with so few samples, scatter alone gives as clear a change") != std::string::npos, t < 12.7
+        ) << reported;
     }
 }
 
@@ -135,10 +135,8 @@ TEST(StrengthChange, OfLongTestsReportsPeakAStrainAndTheResidual) {
     EXPECT_TRUE(changes.front().remarks.empty());
     const std::string reported = strength_sentences(changes).front();
     EXPECT_NE(
-        reported.find(
-            "the deviator stress at 10 % axial strain from 350 to 232.5 kPa (−34 %), and what is left in the critical "
-            "state, near 45 %, from 200 to 210 kPa (+5 %)"
-        ),
+        reported.find("the deviator stress at 10 % axial strain from 350 to 232.5 kPa (−34 %), and the critical-state "
+                      "strength, near 45 %, from 200 to 210 kPa (+5 %)"),
         std::string::npos
     ) << reported;
     EXPECT_NE(reported.find("the sample dilates by 9 % before and contracts by 3 % after"), std::string::npos)
@@ -168,8 +166,8 @@ TEST(StrengthChange, OfSeveralSamplesIsJudgedByTheirScatter) {
     EXPECT_EQ(headline.spread, "± 1.4"); // sqrt(2), with the digits of the mean
     const auto reported = [&] { return strength_sentences(study::compare_strength(study.stages)).front(); };
     // Student's t is 6: with one degree of freedom it is exceeded in 1 - 2 atan(6)/pi of all cases.
-    EXPECT_TRUE(reported().ends_with("of so few, scatter alone gives as clear a change in 11 % of the cases."))
-        << reported();
+    EXPECT_TRUE(reported().ends_with("with so few samples, scatter alone gives as clear a change in 11 % of the cases.")
+    ) << reported();
     study.add_sample(400e3, 440e3);
     EXPECT_EQ(study::compare_strength(study.stages).front().is_weaker(), std::nullopt);
     EXPECT_TRUE(reported().ends_with("Means of 3 samples, ± one standard deviation.")) << reported();
@@ -208,7 +206,7 @@ TEST(StrengthChange, RemarksOnWhatItsTestsDoNotShow) {
     EXPECT_EQ(
         study::compare_strength(study.stages).front().remarks,
         (std::vector<std::string>{
-            "too short to see the critical state, and what strength is left there: at 10 % axial strain volume or "
+            "too short to reach the critical state: at 10 % axial strain volume or "
             "stress still change",
             "before is highest at its end, and may rise further", "after liquefied", "after has a flaw (warnings)"})
     );
@@ -240,7 +238,8 @@ TEST(StrengthChange, WhereTheDeviatorStressIsHeldIsThatOfThePorePressureBorne) {
         "Strength, “after” against “before”: the soil without 12 % of its mass is weaker. With the deviator stress "
         "held, "
         "the excess pore pressure that it bears goes from 45 to 17.5 kPa (−60 ± 14 %), the void ratio from 0.7 to 0.9. "
-        "Means of 2 samples, ± one standard deviation; of so few, scatter alone gives as clear a change in 11 % of the "
+        "Means of 2 samples, ± one standard deviation; with so few samples, scatter alone gives as clear a change in "
+        "11 % of the "
         "cases."
     );
     EXPECT_EQ(strength_headline(changes).value().label, "Pore pressure borne");

@@ -95,10 +95,10 @@ std::vector<std::string> describe_sweep(const StudyOutcome& outcome, const flow:
     std::vector<std::string> lines;
     const std::optional<Result> main = study::main_result(outcome);
     if (!main) {
-        return {"No sample has come far enough for a result."};
+        return {"No sample has a result yet."};
     }
     lines.push_back(describe_result(outcome, *main, fluid));
-    constexpr std::size_t most_reported = 2; // each sentence is long, and the cards tell the rest
+    constexpr std::size_t most_reported = 2; // each sentence is long, and the cards contain the rest
     for (int k = 0; k < study::results && lines.size() < most_reported; ++k) {
         const auto which = static_cast<Result>(k);
         if (which != *main && outcome.has(which) && study::depends_on_sweep(outcome, which)) {
@@ -133,10 +133,10 @@ std::optional<std::string> describe_permeability(const RunResults& results, cons
     }
     const double change = all != nullptr ? all->mean : found->change;
     if (std::abs(change - 1) < erosion::least_permeability_change) {
-        return "The permeability stays as it was.";
+        return "The permeability does not change.";
     }
     if (change < 1) {
-        return fmt::format("The permeability falls to {} of what it was.", percent_text(change));
+        return fmt::format("The permeability falls to {} of its initial value.", percent_text(change));
     }
     const char* const at_most = found && found->is_too_high ? "up to " : "";
     return change < 1.1
@@ -226,7 +226,7 @@ std::vector<std::string> describe_state_of(const OutcomePoint& point, const flow
         lines.push_back(fmt::format("The grains rest at void ratio {}.", fixed(ratio->mean, 3)));
     }
     if (lines.empty()) {
-        lines.emplace_back("The run has come to no result yet: its states are under Quality.");
+        lines.emplace_back("The run has no result yet; its states are under Quality.");
     }
     return lines;
 }

@@ -98,9 +98,9 @@ TEST_F(Verdict, APermeabilityStaysWithinHalfAPercent) {
         sweep(Result::PermeabilityChange, {{"0.05", {change}}});
         return verdict().at(1);
     };
-    EXPECT_EQ(reported(1.0049), "The permeability stays as it was.");
-    EXPECT_EQ(reported(0.9951), "The permeability stays as it was.");
-    EXPECT_EQ(reported(0.9949), "The permeability falls to 99 % of what it was.");
+    EXPECT_EQ(reported(1.0049), "The permeability does not change.");
+    EXPECT_EQ(reported(0.9951), "The permeability does not change.");
+    EXPECT_EQ(reported(0.9949), "The permeability falls to 99 % of its initial value.");
     EXPECT_EQ(reported(1.0051), "The permeability rises by 0.5 %.");
     EXPECT_EQ(reported(1.0949), "The permeability rises by 9.5 %.");
     EXPECT_EQ(reported(1.11), "The permeability rises 1.1 times.");

@@ -22,24 +22,25 @@ struct Words {
 
     std::string operator()(const NothingLeaves&) const { return "nothing leaves any more"; }
 
-    std::string operator()(const NoiseDecides&) const { return "what leaves cannot be told from the twin's noise"; }
+    std::string operator()(const NoiseDecides&) const {
+        return "the fines that leave cannot be distinguished from the twin's noise";
+    }
 
     std::string operator()(const SkeletonDoubt& doubt) const {
         return doubt.width > 0
                    ? fmt::format(
-                         "the cell is only {:.1f} coarse diameters wide (at least {} wanted): the coarse skeleton has "
-                         "lost its meaning",
+                         "the cell is only {:.1f} coarse diameters wide (at least {} required): the coarse skeleton is "
+                         "no longer meaningful",
                          doubt.width, erosion::narrowest_skeleton
                      )
                    : fmt::format(
-                         "the coarse skeleton has {} grains left: too few for its constrictions to mean anything",
-                         doubt.coarse
+                         "the coarse skeleton has {} grains left: too few for meaningful constrictions", doubt.coarse
                      );
     }
 
     std::string operator()(const SkeletonFailed& failed) const {
         return fmt::format(
-            "the skeleton fails: it does not carry its stresses any more and strained by more than {:.3g} %",
+            "the skeleton fails: it no longer carries its stresses and strained by more than {:.3g} %",
             100 * failed.most_strain
         );
     }
@@ -47,14 +48,14 @@ struct Words {
     std::string operator()(const SkeletonRestless& restless) const {
         return fmt::format(
             "the skeleton fails: after {} steps under its stresses it is not at rest and carries {:.3g} % of them, or "
-            "[balance] asks too much",
+            "[balance] is too strict",
             restless.steps, 100 * restless.carried
         );
     }
 
     std::string operator()(const TargetReached& reached) const {
         return fmt::format(
-            "{:.3g} % of the {} has left, {:.3g} % was asked for{}", 100 * reached.share, name_of(reached.of),
+            "{:.3g} % of the {} has left, {:.3g} % was specified{}", 100 * reached.share, name_of(reached.of),
             100 * reached.specified, reached.doubt ? "; " + (*this)(*reached.doubt) : ""
         );
     }

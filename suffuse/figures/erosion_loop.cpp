@@ -1,4 +1,4 @@
-// Figure 7: the erosion loop as a drawing, with a column of counts for each pass beside its arrows.
+// Figure 7: the erosion loop as a drawing, with a column of counts for each pass next to its arrows.
 #include "suffuse/base/escaped.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/ending_words.hpp"
@@ -59,10 +59,10 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is
              [](const PassResult& p) { return of_probe(p, short_number(p.probe.fluid_over_contact, 2)); }
          )}},
         {"3  Probe on a copy",
-         is_forced ? "not asked: the removal is forced" : "coarse grains held, forces ramped on the fines",
+         is_forced ? "not used: the removal is forced" : "coarse grains held, forces ramped on the fines",
          {quantity("detachable", passes, [&](const PassResult& p) { return count(p.detachable); })}},
         {"4  Constrictions",
-         is_forced                                ? "not asked: the removal is forced"
+         is_forced                                ? "not used: the removal is forced"
          : passes.front()->transport.distance > 0 ? "that grains meet on their way with the water"
                                                   : "of the coarse skeleton against grain sizes",
          {quantity(

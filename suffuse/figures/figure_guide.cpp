@@ -16,7 +16,7 @@ struct Guide {
 constexpr std::array guides = {
     Guide{
         "fig01", "gradings of the mixtures",
-        "Percent passing by mass against size for the fines contents of a sweep, as asked and as drawn.",
+        "Percent passing by mass against size for the fines contents of a sweep, as specified and as drawn.",
         "a study whose soil has `coarse` and `fines`, swept over fines_content"},
     Guide{
         "fig02", "drained triaxial tests of a sweep",
@@ -45,15 +45,17 @@ constexpr std::array guides = {
         "fig07", "the erosion loop", "The steps of a pass, with this run's counts of grains on the arrows.",
         "an `erode` stage"},
     Guide{
-        "fig08", "grading of the sample",
-        "The grading asked for and that of the grains drawn; what counts as fine is shaded.", "a `pack` stage"},
+        "fig08", "grading of the sample", "The specified grading and that of the drawn grains; the fines are shaded.",
+        "a `pack` stage"},
     Guide{
         "fig09", "speed of the fines by gradient",
         "Speed of the fines while the water's force grows and then stays, a panel a gradient: bands hold the middle 80 "
         "% of the grains that the rule calls detachable and of those that stay, lines are single grains, the fastest "
         "and slowest among them. One group keeps accelerating, the other deforms with its contacts.",
         "a `detach` stage"},
-    Guide{"fig10", "speed of the fines by pass", "As Figure 9, a panel a pass of the erosion.", "an `erode` stage"},
+    Guide{
+        "fig10", "speed of the fines by pass", "Like Figure 9, one panel for each pass of the erosion.",
+        "an `erode` stage"},
     Guide{
         "fig11", "eroded mass by pass", "Mass that left in each pass, as a share of the mass before it.",
         "an `erode` stage"},
@@ -73,15 +75,16 @@ constexpr std::array guides = {
         "How many fines the velocity rule and the displacement rule call detachable, and how often they agree.",
         "a `detach` or `erode` stage"},
     Guide{
-        "own-twin", "each fine grain beside its twin",
+        "own-twin", "each fine grain against its twin",
         "Speed at the end of the probe with water against that of the same grain without, a panel a pass. On the "
-        "diagonal what is left of unbalance moves a grain, above it the water does.",
+        "diagonal the residual unbalanced forces move a grain, above it the water does.",
         "an `erode` stage"},
     Guide{
-        "own-constrictions", "constrictions beside the fines",
-        "Sizes of the constrictions of the coarse skeleton and of the fines: which could pass.", "an `erode` stage"},
+        "own-constrictions", "constrictions and fines",
+        "Sizes of the constrictions of the coarse skeleton and of the fines: shows which fines could pass.",
+        "an `erode` stage"},
     Guide{
-        "own-transport", "how far the detached fines get",
+        "own-transport", "travel of the detached fines",
         "Share of the mass detached in a pass that gets farther than a length along the flow before a constriction "
         "holds it.",
         "an `erode` stage whose `passes_constriction` has size = \"flow-path\""},
@@ -91,9 +94,9 @@ constexpr std::array guides = {
         "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",
         "an `erode` stage"},
     Guide{
-        "own-mobility", "what a gradient moves",
-        "Share of the fines' mass that a rising gradient moves against its weight; vertical lines: the gradient asked "
-        "for, Skempton and Brogan's α i_c with the α of the sample, and heave.",
+        "own-mobility", "fines that a gradient moves",
+        "Share of the fines' mass that a rising gradient moves against its weight; vertical lines: the specified "
+        "gradient, Skempton and Brogan's α i_c with the α of the sample, and heave.",
         "[gravity], and a `detach` or `erode` stage"},
     Guide{
         "own-mobile-sizes", "which sizes move", "Mass of each size of the fines that moves, at some gradients.",
@@ -112,11 +115,11 @@ constexpr std::array guides = {
         "own-strength", "strength before and after", "The same test before fines went and after, laid over each other.",
         "a test before an erosion and the same after"},
     Guide{
-        "own-sweep", "what a study came to over what it sweeps",
+        "own-sweep", "result of a study over the swept key",
         "Mean of the samples, a band of one standard deviation, and every sample as a dot.", "a study with a `sweep`"},
     Guide{
-        "own-sweep-multiples", "the other results of a study over what it sweeps",
-        "As own-sweep, a small panel for each result.", "a study with a `sweep`"},
+        "own-sweep-multiples", "the other results of a study over the swept key",
+        "Like own-sweep, with a small panel for each result.", "a study with a `sweep`"},
     Guide{
         "own-triaxial", "triaxial tests before and after erosion",
         "Deviator stress and volumetric strain against axial strain.", "`triaxial` stages"},

@@ -84,7 +84,7 @@ TEST(Figures, ClaimsAreShortAndMostFiguresOfARunMakeOne) {
         EXPECT_EQ(figure.claim.find("nan"), std::string::npos) << figure.claim;
     }
     EXPECT_EQ(silent, (std::vector<std::string>{"fig01", "own-paths", "fig07"}))
-        << "what was asked for, ways, the loop";
+        << "what was requested, ways, the loop";
 }
 
 TEST(Figures, ClaimsSayWhatTheRunFound) {
@@ -103,13 +103,13 @@ TEST(Figures, ClaimsSayWhatTheRunFound) {
     EXPECT_EQ(eroded_coordination(erosion)->claim, "50 % of the removed grains had at least two contacts");
     EXPECT_EQ(porosity_path(erosion)->claim, "The porosity rises from 0.3000 to 0.3100");
     EXPECT_EQ(stress_path(erosion)->claim, "Pass 1 costs 10 % of the mean stress at constant volume");
-    EXPECT_EQ(permeability_by_pass(erosion)->claim, "The pore network's permeability is 2.5 times what it was");
+    EXPECT_EQ(permeability_by_pass(erosion)->claim, "The pore network's permeability is 2.5 times its initial value");
     pass.eroded_mass_percent_of_initial = 0;
     pass.porosity_after = pass.porosity_before;
     pass.stress_constant_volume = pass.stress_before;
     EXPECT_EQ(eroded_mass(erosion)->claim, "No grain was carried out");
-    EXPECT_EQ(porosity_path(erosion)->claim, "The porosity stays as it was");
-    EXPECT_EQ(stress_path(erosion)->claim, "") << "nothing to draw but rounding";
+    EXPECT_EQ(porosity_path(erosion)->claim, "The porosity does not change");
+    EXPECT_EQ(stress_path(erosion)->claim, "") << "would show only rounding";
 }
 
 TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
@@ -386,7 +386,7 @@ TEST(LoopFigure, AForcedRemovalUsesNeitherProbeNorConstrictions) {
     EXPECT_EQ(erosion_loop(erosion)->drawing.find("the removal is forced"), std::string::npos);
     erosion.ledger.push_back({7, 1, 1e-4, 1e-9, 0, erosion::Reason::Forced});
     std::swap(erosion.ledger.front(), erosion.ledger.back());
-    EXPECT_NE(erosion_loop(erosion)->drawing.find("not asked: the removal is forced"), std::string::npos);
+    EXPECT_NE(erosion_loop(erosion)->drawing.find("not used: the removal is forced"), std::string::npos);
 }
 
 TEST(RulesFigure, CountsOfEachProbeAddUpToItsFines) {

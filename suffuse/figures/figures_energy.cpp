@@ -82,15 +82,14 @@ std::optional<Figure> energy_of_tests(const std::vector<TestEnergy>& all) {
     figure.section = "Tests";
     figure.title = "Where the work of the tests goes";
     figure.caption = fmt::format(
-        "Of the work done on the {}, sliding contacts take {} and rolling ones {}, {} stays in the springs, and the "
-        "calculation's own damping takes {}. The parts are found each for itself, and add up to the "
-        "work within {} %.",
+        "Of the work done on the {}, sliding contacts take {} and rolling ones {}, {} stays in the springs, and "
+        "numerical damping takes {}. The parts are computed independently and add up to the work within {} %.",
         tests.size() == 1 ? "sample" : "samples", range_of_share(tests, &dem::EnergyParts::slip),
         range_of_share(tests, &dem::EnergyParts::rolling), range_of_share(tests, &dem::EnergyParts::springs),
         range_of_share(tests, &dem::EnergyParts::damping), short_number(100 * gap, 2)
     );
     if (gives_back) {
-        figure.caption += " What springs gave back counts as work.";
+        figure.caption += " Energy released by springs counts as work.";
     }
     figure.table.add("test", std::move(name));
     figure.table.add("part", std::move(part));

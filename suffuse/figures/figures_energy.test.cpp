@@ -22,8 +22,7 @@ TEST(EnergyFigure, ReportsTheSharesOfTheWorkAndHowNearTheyAddUpToIt) {
     EXPECT_EQ(
         figure->caption,
         "Of the work done on the sample, sliding contacts take 25 % and rolling ones 58 %, 15 % stays in the springs, "
-        "and the calculation's own damping takes 1 %. The parts are found each for itself, and add up to the work "
-        "within 1 %."
+        "and numerical damping takes 1 %. The parts are computed independently and add up to the work within 1 %."
     );
     EXPECT_EQ(figure->table.rows(), 5U);
     EXPECT_DOUBLE_EQ(figure->table.numbers("energy")[0], 5);
@@ -49,7 +48,7 @@ TEST(EnergyFigure, CountsWhatSpringsGaveBackAsWork) {
     EXPECT_DOUBLE_EQ(figure->table.numbers("share")[0], 25);
     EXPECT_DOUBLE_EQ(figure->table.numbers("share")[2], 0);
     EXPECT_DOUBLE_EQ(figure->table.numbers("energy")[2], -0.3);
-    EXPECT_NE(figure->caption.find("What springs gave back counts as work."), std::string::npos) << figure->caption;
+    EXPECT_NE(figure->caption.find("Energy released by springs counts as work."), std::string::npos) << figure->caption;
 }
 
 TEST(EnergyFigure, IsNotDrawnForTestsWithoutSecondOrderWork) {

@@ -132,7 +132,7 @@ TEST(MixtureFigure, HasALineForEachMixtureAndDotsForItsSample) {
     // The gap between the two fractions is flat at the fines content.
     for (std::size_t row = 0; row < figure.table.rows(); ++row) {
         const double d = figure.table.numbers("diameter")[row];
-        if (d > 0.13 && d < 0.19 && figure.table.words("kind")[row] == "asked for") {
+        if (d > 0.13 && d < 0.19 && figure.table.words("kind")[row] == "specified") {
             EXPECT_NEAR(passing[row], figure.table.numbers("fines_content")[row], 1e-9); // rounding
         }
     }
@@ -166,7 +166,7 @@ TEST(MixtureFigure, ColorsOfFinesContentsInOneDrawingStayApartAlsoForTheColorBli
             for (std::size_t c = 0; c < 3; ++c) {
                 distance += std::abs(first[c] - second[c]);
             }
-            EXPECT_GT(distance, 0.18) << colors[a] << " and " << colors[b]; // 0.13 is one green beside another
+            EXPECT_GT(distance, 0.18) << colors[a] << " and " << colors[b]; // 0.13 is one green next to another
         }
     }
     EXPECT_EQ(study::fines_colors({0.2}).size(), 1U);

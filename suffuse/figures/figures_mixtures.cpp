@@ -16,7 +16,7 @@ namespace {
 using grains::Grading;
 using nlohmann::json;
 
-constexpr int curve_points = 60;         ///< of a line asked for, besides its corners
+constexpr int curve_points = 60;         ///< of a specified line, besides its corners
 constexpr int sample_points = 24;        ///< of a sample, drawn as dots
 constexpr std::size_t most_corners = 50; ///< a curve with more is smooth as it is
 
@@ -74,7 +74,7 @@ std::optional<Figure> mixture_gradings(const std::vector<study::Mixture>& mixtur
     Columns columns;
     bool has_samples = false;
     for (const study::Mixture& mixture : mixtures) {
-        columns.add(mixture, "asked for", mixture.specified, from, to, curve_points);
+        columns.add(mixture, "specified", mixture.specified, from, to, curve_points);
         if (!mixture.sampled.diameter.empty()) {
             columns.add(mixture, "sample", mixture.sampled, from, to, sample_points);
             has_samples = true;
@@ -96,7 +96,7 @@ std::optional<Figure> mixture_gradings(const std::vector<study::Mixture>& mixtur
     }
     json layers = class_layers(1e3 * from / 1.15, 1e3 * to * 1.15);
     json drawn = json::parse(R"json([
-        {"transform": [{"filter": "datum.kind == 'asked for'"}], "mark": {"type": "line", "strokeWidth": 1.8},
+        {"transform": [{"filter": "datum.kind == 'specified'"}], "mark": {"type": "line", "strokeWidth": 1.8},
          "encoding": {"order": {"field": "diameter"}}},
         {"transform": [{"filter": "datum.kind == 'sample'"}], "mark": {"type": "point", "filled": true, "size": 20, "opacity": 1},
          "encoding": {"tooltip": [{"field": "mixture", "title": "mixture"}, {"field": "diameter", "title": "d [mm]", "format": ".4g"},

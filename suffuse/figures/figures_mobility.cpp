@@ -1,4 +1,4 @@
-// Ours: what a gradient moves of fines that have weight.
+// Ours: the fines, with weight, that a gradient moves.
 #include "suffuse/figures/figures_mobility.hpp"
 
 #include "suffuse/base/words.hpp"
@@ -45,7 +45,7 @@ json marked_gradients(const MobilityStory& story) {
         marks.push_back({{"at", gradient}, {"label", label}, {"level", row * line_height}});
     };
     if (story.specified_gradient) {
-        mark(*story.specified_gradient, "asked");
+        mark(*story.specified_gradient, "specified");
     }
     if (story.skempton_brogan.seeds > 0) {
         mark(story.skempton_brogan.mean, "α i_c");
@@ -119,7 +119,7 @@ std::string range_text(const SizeClasses& sizes, std::size_t k) {
     return fmt::format("{} to {}", short_number(1e3 * sizes.edge(k)), short_number(1e3 * sizes.edge(k + 1)));
 }
 
-/// Gradients at which the shares by size are shown: a few of the ramp, the asked one among them.
+/// Gradients at which the shares by size are shown: a few of the ramp, the specified one among them.
 std::vector<double> shown_gradients(const MobilityResult& mobility) {
     constexpr std::size_t most = 4;
     std::vector<double> shown;
@@ -157,8 +157,8 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     figure.id = "own-mobility";
     figure.section = "Water";
     figure.title = main->specified_gradient && 2 * static_cast<std::size_t>(main->safety.seeds) > main->of_sample.size()
-                       ? fmt::format("First movement lies at {:.1f} times the asked gradient", main->safety.mean)
-                       : "What a gradient moves of the fines";
+                       ? fmt::format("First movement is at {:.1f} times the specified gradient", main->safety.mean)
+                       : "Fines that a gradient moves";
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
         "and 10 % of their mass decide; what is below 0.1 % is drawn there. Where motion had not ended when the "
@@ -257,13 +257,12 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
     };
     PageTable table;
     table.section = "Water";
-    table.title = "What gradients move";
+    table.title = "Gradients that move fines";
     table.note =
         "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not below "
-        "heave, "
-        "nor up to the end of the ramp; ≤: motion had not ended when the gradient rose, and a longer hold would give "
-        "less. Beside them Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the "
-        "sample's own α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
+        "heave, nor up to the end of the ramp; ≤: motion had not ended when the gradient rose, and a longer hold would "
+        "give less. For comparison: Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the sample's own "
+        "α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
     table.header = {"stage", "samples", "i, 1 %",   "i, 10 %", "i, 50 %", "i_c",
                     "α",     "α i_c",   "FC i_c/s", "safety",  "sifts"};
     table.numeric.assign(table.header.size(), true);

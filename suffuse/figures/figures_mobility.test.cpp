@@ -38,7 +38,7 @@ TEST(MobilityFigures, DrawTheCurveWithWhatOtherAnswersSay) {
     ASSERT_TRUE(figure);
     EXPECT_EQ(figure->table.numbers("mobile"), (std::vector<double>{25, 25}));
     const std::string chart = figure->chart.dump();
-    EXPECT_NE(chart.find("\"asked\""), std::string::npos);
+    EXPECT_NE(chart.find("\"specified\""), std::string::npos);
     EXPECT_NE(chart.find("heave, i_c"), std::string::npos);
     EXPECT_TRUE(explain_figure(figure->id));
     EXPECT_FALSE(mobility_curves({}));

@@ -200,7 +200,7 @@ json stress_chart() {
     return chart;
 }
 
-/// The whole way, and below it the resettling alone, which is small beside the removal.
+/// The whole way, and below it the resettling alone, which is small compared with the removal.
 const char* const porosity_panels = R"json({
     "vconcat": [
         {"width": 480, "height": 240,
@@ -242,7 +242,7 @@ const char* const porosity_panels = R"json({
     "spacing": 16
 })json";
 
-/// Whether a pass is so short beside all of them that its name is wider.
+/// Whether a pass is so short compared with all of them that its name is wider.
 bool has_short_pass(const ErosionResult& erosion) {
     constexpr double name_width = 0.12; // of the drawing
     std::int64_t before = 0;
@@ -276,7 +276,7 @@ std::string loss_claim(const ErosionResult& erosion) {
 
 std::string porosity_claim(double before, double after) {
     if (std::abs(after - before) <= study::porosity_resolution) {
-        return "The porosity stays as it was";
+        return "The porosity does not change";
     }
     return fmt::format("The porosity {} from {:.4f} to {:.4f}", after > before ? "rises" : "falls", before, after);
 }
@@ -308,14 +308,13 @@ std::optional<Figure> stress_path(const ErosionResult& erosion) {
     figure.table = path_table(thinned(with_starts(erosion)));
     figure.chart = stress_chart();
     figure.chart["vconcat"][0]["layer"][2]["transform"].push_back(only(few));
-    if (has_short_pass(erosion)) { // names beside each other would overlap
+    if (has_short_pass(erosion)) { // names side by side would overlap
         figure.chart["vconcat"][0]["layer"][2]["mark"]["dy"] = {
             {"expr", "-3 - 13 * ((toNumber(replace(datum.pass, 'pass ', '')) - 1) % 2)"}};
     }
     if (std::ranges::none_of(erosion.passes, changes_skeleton)) {
-        figure.flat =
-            "In no pass did the mean stress or the volume change by a hundredth of a percent: there is nothing "
-            "to draw but rounding.";
+        figure.flat = "In no pass did the mean stress or the volume change by a hundredth of a percent: the figure "
+                      "would show only rounding.";
     }
     return figure;
 }

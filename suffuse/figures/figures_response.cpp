@@ -16,7 +16,7 @@ using erosion::ErosionResult;
 using erosion::PassResult;
 using nlohmann::json;
 
-/// What is written beside each state: nothing where the next one lies on it, and names both; the first and the last
+/// What is written next to each state: nothing where the next one lies on it, and names both; the first and the last
 /// state alone where there are many. A permeability that has changed sets two states apart, too.
 std::vector<std::string> labels(
     const std::vector<std::string>& state, const std::vector<double>& eroded, const std::vector<double>& permeability
@@ -65,9 +65,10 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     figure.section = "Water";
     figure.title = "Permeability before and after erosion";
     const double times = permeability.back() / permeability.front();
-    figure.claim = std::abs(times - 1) < erosion::least_permeability_change
-                       ? "The pore network is as permeable as before"
-                       : fmt::format("The pore network's permeability is {} times what it was", short_number(times, 2));
+    figure.claim =
+        std::abs(times - 1) < erosion::least_permeability_change
+            ? "The pore network is as permeable as before"
+            : fmt::format("The pore network's permeability is {} times its initial value", short_number(times, 2));
     figure.caption = fmt::format(
         "The loss of {} % of the mass changes the permeability along the flow from {} to {} m², {} times.",
         short_number(eroded.back()), short_number(permeability.front()), short_number(permeability.back()),

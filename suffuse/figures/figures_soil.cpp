@@ -1,4 +1,4 @@
-// Figure 8, and what the sizes say: gradings before and after erosion, constrictions beside the fines.
+// Figure 8, and what the sizes say: gradings before and after erosion, constrictions and fines.
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
@@ -129,7 +129,7 @@ void add_distribution(
     }
 }
 
-/// The mean for each way of merging the pores of one void; nothing for a run of earlier times, which tells one only.
+/// The mean for each way of merging the pores of one void; nothing for a run of earlier times, which shows one only.
 std::string means_by_merge(const PassResult& pass) {
     if (pass.constrictions_by_merge.front().count == 0) {
         return "";
@@ -157,13 +157,13 @@ grading_curves(const Grading& specified, const Grading& sampled, std::optional<d
     }
     Curves curves;
     curves.add("sample", color::staying, sampled);
-    curves.add("asked for", color::detachable, specified);
+    curves.add("specified", color::detachable, specified);
     Figure figure;
     figure.id = "fig08";
     figure.section = "Soils";
     figure.title = "Grading of the soil";
     figure.claim = fmt::format(
-        "The sample follows the grading asked for within {} % of the mass",
+        "The sample follows the specified grading within {} % of the mass",
         short_number(largest_difference(specified, sampled), 2)
     );
     figure.caption = fmt::format(

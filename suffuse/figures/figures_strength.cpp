@@ -72,7 +72,7 @@ std::optional<Figure> strength_before_and_after(
     );
     figure.caption = fmt::format(
         "{} {} kPa before, {} kPa after{}.",
-        reported->holds_deviator() ? "Most that is borne:" : "Peak:", short_number(before, 4), short_number(after, 4),
+        reported->holds_deviator() ? "Maximum borne:" : "Peak:", short_number(before, 4), short_number(after, 4),
         borne.change.seeds > 1 ? fmt::format(", means of {} samples, a line each", borne.change.seeds) : "; one sample"
     );
     figure.table.add("state", std::move(rows.state));

@@ -30,7 +30,7 @@ TEST(StrengthFigure, LaysTheTestBeforeAndAfterOverEachOtherSampleBySample) {
     }
     study::StrengthChange change;
     change.study = &study, change.variant = variants.data(), change.before = &before, change.after = &after;
-    EXPECT_FALSE(strength_before_and_after({change}, stages)) << "a change that cannot be told";
+    EXPECT_FALSE(strength_before_and_after({change}, stages)) << "a change that is undecided";
     change.peak_deviator = {
         study::scatter_of({300e3, 300e3}), study::scatter_of({200e3, 200e3}), study::scatter_of({-0.33, -0.33})};
     const Figure figure = strength_before_and_after({change}, stages).value();

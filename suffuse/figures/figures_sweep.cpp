@@ -19,7 +19,7 @@ using study::StudyOutcome;
 
 constexpr std::size_t most_swept_lines = 6; ///< as many as there are colors
 
-/// The values of the keys but the first: what tells one line from another.
+/// The values of the keys but the first: what distinguishes one line from another.
 std::string line_of(const StudyOutcome& outcome, const OutcomePoint& point) {
     std::string name;
     for (std::size_t k = 1; k < outcome.keys.size(); ++k) {
@@ -172,7 +172,7 @@ json layers(bool is_words, bool has_lines, const std::string& value_title, const
 
 std::string how_to_read(const StudyOutcome& outcome, bool is_words) {
     if (outcome.seeds() < 2) {
-        return "One sample a point: no band, and no word on how far another sample would lie from it.";
+        return "One sample per point: no band, because the scatter between samples was not measured.";
     }
     return fmt::format(
         "{}: mean of {} samples. {}: one standard deviation to both sides. Dots: single samples.",
@@ -258,7 +258,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     Figure figure;
     figure.id = "own-sweep-multiples";
     figure.section = "Samples";
-    figure.title = fmt::format("What else came of the {}", study::key_in_words(outcome.keys.front()));
+    figure.title = fmt::format("Other results over the {}", study::key_in_words(outcome.keys.front()));
     figure.caption = how_to_read(outcome, is_words) + " Each panel has an axis of its own for its result.";
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {

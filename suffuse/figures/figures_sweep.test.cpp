@@ -48,7 +48,7 @@ TEST(SweepFigure, OverWordsHasBarsInsteadOfALineBetweenThem) {
     const Figure figure = sweep_result(swept({{"random", {0.01}}, {"smallest", {0.10}}})).value();
     EXPECT_EQ(figure.chart["layer"][0]["mark"]["type"], "rule");
     EXPECT_EQ(figure.table.words("value").front(), "random");
-    EXPECT_NE(figure.caption.find("One sample a point"), std::string::npos);
+    EXPECT_NE(figure.caption.find("One sample per point"), std::string::npos);
 }
 
 TEST(SweepFigure, IsNoneWithoutASweepOrAResult) {

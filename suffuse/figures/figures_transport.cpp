@@ -74,11 +74,11 @@ std::optional<Figure> transport_by_pass(const ErosionResult& erosion) {
     Figure figure;
     figure.id = "own-transport";
     figure.section = "Erosion";
-    figure.title = "How far the detached fines get with the water";
+    figure.title = "Travel of the detached fines with the water";
     figure.claim = fmt::format("{} % of the detached mass left", fmt::join(left, ", "));
     figure.caption = fmt::format(
         "{} % of the mass detached in {} {}{} left, having come {} mm along the flow since the erosion began; filter "
-        "coefficient {} per mm. A throat no wider than themselves held the others, which lodge there where they find "
+        "coefficient {} per mm. The others were held by a throat no wider than themselves and lodge there if there is "
         "room.",
         fmt::join(left, ", "), few.size() == 1 ? "pass" : "passes", fmt::join(passes, ", "),
         study::part_of_passes(few, that_travelled.size()), short_number(1e3 * few.front()->transport.distance),

@@ -167,7 +167,8 @@ std::optional<Figure> compared_with_twin(const erosion::ErosionResult& erosion) 
                          )
                        : "No fine grain is detachable";
     figure.caption = fmt::format(
-        "{}. On the dashed diagonal a grain moves as it would without water: what is left of unbalance moves it. At "
+        "{}. On the dashed diagonal a grain moves as it would without water: the residual unbalanced forces move it. "
+        "At "
         "most "
         "{} grains of a group are drawn; one at rest is drawn on the axis.",
         as_sentence(fmt::format("{}", fmt::join(reported, "; "))), most_twins / 3

@@ -204,8 +204,8 @@ Figure stability_shape(const Assessment& assessment) {
     figure.section = "Soils";
     figure.title = "Shape of the grading: H(d) = F(4d) − F(d) over F(d)";
     figure.caption = fmt::format(
-        "Least H/F{}; unstable where the curve comes below H = F (1986) or 1.3 F (1985). Below both H = F and 15 % "
-        "lies what Li and Fannin call unstable.",
+        "Least H/F{}; unstable where the curve falls below H = F (1986) or 1.3 F (1985). Li and Fannin call the area "
+        "below both H = F and 15 % unstable.",
         least->value ? fmt::format(" = {} {}", short_number(*least->value), least->remark) : ": " + least->remark
     );
     figure.table.add("curve", std::move(points.curve));

@@ -213,7 +213,7 @@ namespace {
 std::string smaller_share(double densest, double loosest) {
     const long from = std::lround(100 * densest), to = std::lround(100 * loosest);
     if (to == 0) {
-        return "hardly any of the finer grains are smaller than that";
+        return "almost none of the finer grains are smaller than that";
     }
     return from == to ? fmt::format("{} % of the finer grains are smaller than that", to)
                       : fmt::format("{} to {} % of the finer grains are smaller than that", from, to);
@@ -243,7 +243,7 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec,
     for (const Criterion& criterion : found.criteria) {
         text += criterion.verified ? line_of(criterion, columns) : "";
     }
-    text += "\n  unverified: limits not read in a source, so not counted\n";
+    text += "\n  unverified: limits not verified in the source, so not counted\n";
     for (const Criterion& criterion : found.criteria) {
         text += criterion.verified ? "" : line_of(criterion, columns);
     }
@@ -273,7 +273,8 @@ std::string filter_text(const AssessedFilter& filter) {
         text += fmt::format(
             "  {:54}{:26}{:8}{}{}\n      {}\n", criterion.name, number, stability::limit_text(criterion),
             stability::filter_word(criterion.verdict),
-            criterion.verified ? "" : " (unverified: limit not read in a source, so not counted)", criterion.remark
+            criterion.verified ? "" : " (unverified: limit not verified in the source, so not counted)",
+            criterion.remark
         );
     }
     return text;

@@ -65,11 +65,11 @@ std::string reason_for_missing(const std::string& id) {
         return "";
     }
     if (*number == tests) {
-        return ": tests of loose samples over the fines content draw it, as examples/silty-sand-2016/case.toml";
+        return ": it needs tests of loose samples over the fines content, as in examples/silty-sand-2016/case.toml";
     }
     return *number <= last_of_mixtures
-               ? ": a study over the fines content draws it, as examples/silty-sand-2016/case.toml"
-               : ": an erosion with tests before and after draws it, as examples/fontainebleau-2016/case.toml";
+               ? ": it needs a study over the fines content, as in examples/silty-sand-2016/case.toml"
+               : ": it needs an erosion with tests before and after, as in examples/fontainebleau-2016/case.toml";
 }
 
 std::vector<Source> chosen(const std::vector<Source>& all, const std::vector<std::string>& wanted) {
@@ -171,8 +171,7 @@ std::vector<fs::path> draw_figures(
     const std::vector<Source> sources = chosen(sources_in(run), wanted);
     if (format != "svg" && !is_installed("rsvg-convert")) {
         throw IoError(fmt::format(
-            "rsvg-convert is missing, which makes {} from SVG; install it (Debian: librsvg2-bin), or ask for --format "
-            "svg",
+            "rsvg-convert is missing, which makes {} from SVG; install it (Debian: librsvg2-bin), or use --format svg",
             format
         ));
     }

@@ -135,7 +135,7 @@ void show_stability(const casefile::Case& what, const grains::Soil& soil, report
     if (soil.measured) {
         data.tables.push_back(figures::stability_table(assess_with(simulated, soil.finer_than)));
         data.tables.back().title = "Internal stability by the part of the grading that was simulated";
-        data.tables.back().note += " Of the soil itself the table before holds.";
+        data.tables.back().note += " The table above is of the soil itself.";
     } else {
         data.tables.back().note += " All is of the grading that was simulated: where it is a part of the soil's curve, "
                                    "without the finest or the coarsest grains, the whole soil may be less stable. "

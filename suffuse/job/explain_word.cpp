@@ -33,7 +33,7 @@ std::optional<std::string> explain_finding(const std::string& id) {
                 "why of their run\n",
                 finding.id, finding.paper, finding.claim,
                 numbers.empty() ? "no number: all are the paper's words"
-                                : numbers + ": chosen by us, for the paper's words give none",
+                                : numbers + ": our choice, because the paper gives none",
                 study::background_of(finding.id)
             );
         }

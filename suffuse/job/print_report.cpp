@@ -34,15 +34,15 @@ std::string find_browser(const fs::path& page) {
 std::string reason_of(const ProgramEnd& end) {
     return !end.complaint.empty() ? end.complaint
            : end.code > 128       ? fmt::format("signal {} ended it", end.code - 128)
-           : end.code > 0         ? fmt::format("it ended with code {} and said nothing", end.code)
-                                  : "it said that it was done, and wrote nothing";
+           : end.code > 0         ? fmt::format("it ended with code {} and no message", end.code)
+                                  : "it reported success but wrote nothing";
 }
 
 } // namespace
 
 void print_report(const fs::path& page, const fs::path& pdf, const std::string& browser) {
     const fs::path target = fs::absolute(pdf);
-    const ScratchFolder profile(target.parent_path()); // beside a browser that runs, which else would be asked to do it
+    const ScratchFolder profile(target.parent_path()); // so that a running browser is not used for it
     const fs::path whole = fs::absolute(page).lexically_normal();
     if (!fs::exists(whole)) {
         throw IoError(fmt::format("{}: is not there to be printed", whole.string()));
@@ -60,8 +60,7 @@ void print_report(const fs::path& page, const fs::path& pdf, const std::string& 
         "--print-to-pdf=" + printed.string(),
         "--generate-pdf-document-outline",
     };
-    if (geteuid() ==
-        0) { // Chromium's sandbox refuses root, as in a container; the page is our own and asks for nothing
+    if (geteuid() == 0) { // Chromium's sandbox refuses root, as in a container; the page is our own and loads nothing
         words.emplace_back("--no-sandbox");
     }
     std::string address = "file://";
@@ -77,7 +76,7 @@ void print_report(const fs::path& page, const fs::path& pdf, const std::string& 
         fs::remove(printed, error);
         throw IoError(fmt::format(
             "{} could not print {}: {}; {}", words.front(), page.string(), reason_of(end),
-            fs::exists(pdf) ? "the PDF that was there before is left as it was" : "no PDF was made"
+            fs::exists(pdf) ? "the existing PDF was left unchanged" : "no PDF was made"
         ));
     }
     fs::rename(printed, target, error);

@@ -52,7 +52,7 @@ TEST(PrintReport, APdfThatWasThereStaysWhereTheBrowserFailsAndTheMessageSaysWhy)
     std::ofstream(folder / "report.html") << "<p>";
     std::ofstream(folder / "r.pdf") << "old";
     for (const auto& [browser, why] : std::vector<std::pair<const char*, const char*>>{
-             {"exit 1", "it ended with code 1 and said nothing"},
+             {"exit 1", "it ended with code 1 and no message"},
              {"echo half > \"$out\"; echo no display >&2; exit 3", "no display"},
              {"exit 0", "wrote nothing"},
              {"kill -9 $$", "signal 9 ended it"}}) {
@@ -61,7 +61,7 @@ TEST(PrintReport, APdfThatWasThereStaysWhereTheBrowserFailsAndTheMessageSaysWhy)
             FAIL() << browser;
         } catch (const IoError& error) {
             EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
-            EXPECT_NE(std::string(error.what()).find("is left as it was"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("was left unchanged"), std::string::npos) << error.what();
         }
         EXPECT_EQ(test::read_all(folder / "r.pdf"), "old");
         EXPECT_EQ(folder.entries(), 3) << "nothing half-printed";

@@ -117,7 +117,7 @@ fs::path cache_next_to(const fs::path& folder) {
 
 void take_run_folder(const fs::path& folder) {
     if (fs::exists(folder) && !fs::is_directory(folder)) {
-        throw UsageError(fmt::format("{} is a file; -o wants a folder", shown(folder.string())));
+        throw UsageError(fmt::format("{} is a file; -o needs a folder", shown(folder.string())));
     }
     io::make_folders(folder);
     const auto is_ours = [](const fs::directory_entry& entry) { // of a run that could not even begin
@@ -127,7 +127,7 @@ void take_run_folder(const fs::path& folder) {
     const bool is_begun = fs::exists(folder / record::options_file) || fs::exists(folder / record::resolved_case_file);
     if (!is_begun && !is_free) {
         throw UsageError(fmt::format(
-            "{} is not empty and holds no run; give -o a new folder, so that nothing of yours is overwritten",
+            "{} is not empty and holds no run; give -o a new folder, so that none of your files are overwritten",
             shown(folder.string())
         ));
     }
@@ -147,9 +147,9 @@ void save_request(const fs::path& folder, const RunRequest& request) {
 
 RunRequest read_request(const fs::path& folder) {
     if (!fs::exists(folder / record::options_file)) {
-        throw UsageError(fmt::format(
-            "{} holds no run that could be resumed; give the folder that suffuse run has named", shown(folder.string())
-        ));
+        throw UsageError(
+            fmt::format("{} holds no run to resume; give the folder that suffuse run printed", shown(folder.string()))
+        );
     }
     const nlohmann::json request = record::read_json(folder / record::options_file);
     return record::take_from(folder / record::options_file, [&] {
@@ -200,7 +200,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::function<void(const st
     }
     if (refused != 0) { // some network file systems have no locks
         warn(fmt::format(
-            "{} cannot be locked ({}): see to it that no other suffuse works in it", shown(folder.string()),
+            "{} cannot be locked ({}): make sure that no other suffuse works in it", shown(folder.string()),
             std::strerror(refused)
         ));
     }

@@ -189,7 +189,7 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
     );
     if (ended_early) {
         data.opening.about_confidence +=
-            fmt::format(" The run ended with stage {}, as asked: `{}` goes on.", until, resume);
+            fmt::format(" The run ended with stage {}, as requested; `{}` continues it.", until, resume);
     }
     summary.findings = findings_json(data.findings); // what the page shows
     record::write_json(

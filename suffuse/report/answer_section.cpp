@@ -84,7 +84,7 @@ std::string grains_figure(const Scene& scene, Numbering& numbering) {
     );
 }
 
-/// The deciding picture and the one beside it.
+/// The deciding picture and the one next to it.
 std::string pictures_of(const ReportData& report, Numbering& numbering) {
     std::vector<std::string> cells;
     if (shows_grains(report)) {
@@ -194,13 +194,12 @@ std::string answer_content(const ReportData& report, Numbering& numbering) {
 }
 
 std::string unfinished_banner(const Unfinished& unfinished) {
-    return unfinished.missing.empty()
-               ? ""
-               : fmt::format(
-                     "<div class=\"warnings\" id=\"unfinished\" role=\"note\"><p><b>This run is not complete.</b> "
-                     "{}.</p>\n<p>Go on with <code>{}</code></p></div>\n",
-                     typeset(unfinished.missing), escaped(unfinished.command)
-                 );
+    return unfinished.missing.empty() ? ""
+                                      : fmt::format(
+                                            "<div class=\"warnings\" id=\"unfinished\" role=\"note\"><p><b>This run is "
+                                            "not complete.</b> {}.</p>\n<p>Continue with <code>{}</code></p></div>\n",
+                                            typeset(unfinished.missing), escaped(unfinished.command)
+                                        );
 }
 
 } // namespace suffuse::report

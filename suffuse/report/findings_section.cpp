@@ -110,13 +110,13 @@ std::string summed_up(const std::vector<study::Finding>& findings) {
     using enum study::Standing;
     std::string text = as_sentence(study::count_standings(findings)) + ".";
     if (count(MetByNoise) > 0) {
-        text += " Met by noise: what is left of unbalance meets the criterion, so it says nothing of the water and is "
-                "not counted.";
+        text += " Met by noise: the residual unbalanced forces meet the criterion, so it does not show an effect of "
+                "the water and is not counted.";
     }
     if (const auto ours = count(NotMetByOurNumber); ours > 0) {
         text += fmt::format(
-            " Not met by our number: the paper's words hold, a number that we put to them does not ({} of {} unmet).",
-            ours, ours + count(NotMet)
+            " Not met by our number: the paper's words hold, our numerical threshold does not ({} of {} unmet).", ours,
+            ours + count(NotMet)
         );
     }
     return text;

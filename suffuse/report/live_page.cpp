@@ -31,7 +31,7 @@ std::string row_of(const LiveRow& row) {
 std::string ending_of(const LivePage& page) {
     std::string out = "<div class=\"warnings\" role=\"note\"><p>" + escaped(page.ending) + "</p>\n";
     if (!page.command.empty()) {
-        out += "<p>Go on with <code>" + escaped(page.command) + "</code></p>\n";
+        out += "<p>Continue with <code>" + escaped(page.command) + "</code></p>\n";
     }
     return out + "</div>\n";
 }
@@ -39,8 +39,8 @@ std::string ending_of(const LivePage& page) {
 /// A run that was killed says no goodbye, and its page goes on loading itself.
 std::string if_killed(const std::string& command) {
     return command.empty() ? ""
-                           : " Where that time stands still for minutes, the run was killed: <code>" +
-                                 escaped(command) + "</code> goes on.";
+                           : " If that time does not change for minutes, the run was killed; continue it with <code>" +
+                                 escaped(command) + "</code>.";
 }
 
 } // namespace
@@ -68,13 +68,12 @@ std::string render_live_page(const LivePage& page) {
         std::clamp(page.share, 0.0, 1.0), escaped(page.progress),
         is_live && !page.left.empty() ? ", " + escaped(page.left) + " left" : ""
     );
-    out += is_live
-               ? fmt::format(
-                     "<p class=\"quiet\">As of {}. This page loads itself anew every {} s and turns into the report "
-                     "when the run ends.{}</p>\n",
-                     escaped(page.at), page.refresh_seconds, if_killed(page.command)
-                 )
-               : ending_of(page) + "<p class=\"quiet\">As of " + escaped(page.at) + ".</p>\n";
+    out += is_live ? fmt::format(
+                         "<p class=\"quiet\">As of {}. This page reloads every {} s and becomes the report when the "
+                         "run ends.{}</p>\n",
+                         escaped(page.at), page.refresh_seconds, if_killed(page.command)
+                     )
+                   : ending_of(page) + "<p class=\"quiet\">As of " + escaped(page.at) + ".</p>\n";
     out += "<div class=\"scroll\"><table class=\"page-table\"><thead><tr><th>stage</th><th>verb</th><th>status</th>"
            "<th>time</th><th>state</th></tr></thead><tbody>\n";
     for (const LiveRow& row : page.rows) {

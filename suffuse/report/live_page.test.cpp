@@ -28,7 +28,9 @@ TEST(LivePage, LoadsItselfAnewWhileTheRunIsUnderWayAndNeedsNeitherScriptNorServe
     EXPECT_EQ(text.find("https:"), std::string::npos);
     EXPECT_NE(text.find("3 of 10 stages, 4-5 min left"), std::string::npos);
     EXPECT_NE(text.find("e 0.686  unbalance 1.4\u00a0×\u00a010⁻⁵"), std::string::npos);
-    EXPECT_NE(text.find("the run was killed: <code>suffuse resume runs/dyke-0001</code>"), std::string::npos);
+    EXPECT_NE(
+        text.find("the run was killed; continue it with <code>suffuse resume runs/dyke-0001</code>"), std::string::npos
+    );
 }
 
 TEST(LivePage, StopsLoadingItselfWhenNothingMoreComes) {

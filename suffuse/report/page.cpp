@@ -190,7 +190,7 @@ Sections sections_of(const ReportData& report, const std::optional<PageScript>& 
     }
     if (!report.stages.empty() || !report.case_warnings.empty()) {
         const std::string of_case = report.case_warnings.empty() ? ""
-                                                                 : "<h3>What the check of the case warns of</h3>\n" +
+                                                                 : "<h3>Warnings from the check of the case</h3>\n" +
                                                                        html_list(report.case_warnings, "plain");
         sections.add("Quality", of_case + (report.stages.empty() ? "" : quality_section(report.stages, numbering)));
     }

@@ -109,7 +109,7 @@ std::string print_cover(const ReportData& report, const std::vector<std::pair<st
     const std::string hash = find(report, "case_hash"), seed = find(report, "seed");
     add("Project", report.project);
     add("Author", report.author);
-    add("Asked", report.request);
+    add("Specified", report.request);
     add("Date", find(report, "finished"));
     add("Program", fmt::format("suffuse {}, commit {}", report.cited.version, report.cited.commit));
     add("Case", hash.empty() ? "" : fmt::format("{}{}", hash, seed.empty() ? "" : ", seed " + seed));

@@ -60,7 +60,7 @@ std::string quality_table(const std::vector<StageRow>& stages, Numbering& number
     return html_table(
         {"stage", facts::title("unbalanced_force"), "error of the stress [-]", "largest overlap / r [-]",
          "largest inertial number [-]", "kinetic energy / (p V) [-]", "time step [s]"},
-        rows, numeric, "stages quality", fmt::format("<b>{} How quiet each stage is.</b>", numbering.next_table())
+        rows, numeric, "stages quality", fmt::format("<b>{} Equilibrium of each stage.</b>", numbering.next_table())
     );
 }
 

@@ -26,7 +26,7 @@ void check(const AssessSpec& spec) {
         const double density = *spec.relative_density;
         require(
             density >= 0 && density <= 1,
-            fmt::format("a relative density of {:.6g}: it lies between 0 (loosest) and 1 (densest)", density)
+            fmt::format("a relative density of {:.6g}: it must be between 0 (loosest) and 1 (densest)", density)
         );
     }
     if (!spec.seepage) {
@@ -39,7 +39,7 @@ void check(const AssessSpec& spec) {
     );
     require(
         seepage.porosity > 0 && seepage.porosity < 1,
-        fmt::format("a porosity of {:.6g}: it lies between 0 and 1, for soils between 0.2 and 0.6", seepage.porosity)
+        fmt::format("a porosity of {:.6g}: it must be between 0 and 1, for soils usually 0.2 to 0.6", seepage.porosity)
     );
     require(
         seepage.grain_density > 1000,
@@ -52,7 +52,7 @@ void check(const AssessSpec& spec) {
         require(
             *seepage.stress_share >= 0 && *seepage.stress_share <= 1,
             fmt::format(
-                "an alpha of {:.6g}: it lies between 0 and 1, which stands for all fines that carry the mean or more",
+                "an alpha of {:.6g}: it must be between 0 and 1; 1 stands for fines that carry the mean stress or more",
                 *seepage.stress_share
             )
         );

@@ -34,10 +34,10 @@ Slopes slopes_of(const Grading& grading) {
 std::string
 outside_of_fit(const Grading& grading, const Slopes& slopes, const std::optional<FineFraction>& fines, bool has_silt) {
     if (!(grains::passing(grading, sand_size) < 1)) {
-        return "fitted to soils with gravel, and this one has nothing coarser than 2 mm";
+        return "valid for soils with gravel; this one has nothing coarser than 2 mm";
     }
     if (slopes.coarse > slopes.upper()) {
-        return fmt::format("h' = {:.3g} lies above Burenkova's band, where nothing was tested", slopes.coarse);
+        return fmt::format("h' = {:.3g} is above Burenkova's band, where no soil was tested", slopes.coarse);
     }
     if (!has_silt) {
         return {};
@@ -101,9 +101,9 @@ Criterion wan_fell_alternative(const Grading& grading, const std::optional<FineF
     criterion.value = coarse;
     criterion.strict = true;
     if (find_gap(grading)) {
-        criterion.remark = "made for soils without a gap";
+        criterion.remark = "valid for soils without a gap";
     } else if (!(grains::passing(grading, sand_size) < 1 && grains::passing(grading, silt_size) > 0.10)) {
-        criterion.remark = "made for broadly graded silt-sand-gravel";
+        criterion.remark = "valid for broadly graded silt-sand-gravel";
     } else if (!fines || fines->content < 0.20) {
         criterion.remark = "doubtful below 20 % of fine fraction";
     } else {

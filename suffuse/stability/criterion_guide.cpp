@@ -24,11 +24,11 @@ constexpr std::array guides = {
     Guide{
         "kenney-lau-1985", "Kenney and Lau 1985", "(H/F)min", Sense::AtLeast, 1.3, "Kenney and Lau 1985",
         "The least H/F up to F_max, with F(d) the mass finer than d and H(d) = F(4d) - F(d): are there enough grains "
-        "up to four times as large to hold those of size d? F_max is 20 % where d60/d10 > 3, else 30 %.",
+        "up to four times as large to retain those of size d? F_max is 20 % where d60/d10 > 3, else 30 %.",
         "stable where H/F >= 1.3", "KenneyLau1985"},
     Guide{
         "kenney-lau-1986", "Kenney and Lau 1986", "(H/F)min", Sense::AtLeast, 1, "Kenney and Lau 1986",
-        "As kenney-lau-1985, with the limit of their later discussion.", "stable where H/F >= 1", "KenneyLau1986"},
+        "Like kenney-lau-1985, with the limit of their later discussion.", "stable where H/F >= 1", "KenneyLau1986"},
     Guide{
         "li-fannin-2008", "Li and Fannin 2008", "min H/min(F, 15 %)", Sense::AtLeast, 1, "Li and Fannin 2008",
         "The least H/min(F, 15 %): Kenney and Lau's criterion below F = 15 %, Kezdi's above.", "stable where >= 1",
@@ -56,28 +56,28 @@ constexpr std::array guides = {
     Guide{
         "sherard-1979", "Sherard 1979", "D15c/d85f", Sense::AtMost, 5, "Sherard 1979 (unverified)",
         "D15 of the coarse part over d85 of the fine part, at the split.",
-        "stable where <= 5; the limit was not read in a source and is not counted", "Sherard1979", false},
+        "stable where <= 5; the limit was not verified in the source, so it is not counted", "Sherard1979", false},
     Guide{
         "wan-fell-alternative", "Wan and Fell (slopes)", "30/log(d90/d60)", Sense::AtMost, 70,
         "Wan and Fell 2008, slopes (unverified)", "Slopes of the curve: 30/log(d90/d60) and 15/log(d20/d5).",
-        "stable where the first is below 70 or the second above 22; not read in a source and not counted",
+        "stable where the first is below 70 or the second above 22; not verified in the source, so not counted",
         "WanFell2008", false},
     Guide{
         "indraratna-2011", "Indraratna et al. 2011", "Dc35/d85f", Sense::AtMost, 1,
         "Indraratna et al. 2011 (unverified)",
         "The constriction that 35 % of those of the coarse part undercut (Dc35, from the grading and a relative "
         "density) over d85 of the fine part by surface area.",
-        "stable where <= 1; not read in a source and not counted", "Indraratna2011", false},
+        "stable where <= 1; not verified in the source, so not counted", "Indraratna2011", false},
     Guide{
         "terzaghi", "Terzaghi", "gradient i", Sense::AtMost, by_curve, "Terzaghi's critical gradient",
-        "Upward seepage carries the weight of the whole soil at i_c = (G_s - 1)(1 - n). Asked with -i.",
+        "Upward seepage carries the weight of the whole soil at i_c = (G_s - 1)(1 - n). Needs -i.",
         "safe where i is below it", "Terzaghi1939"},
     Guide{
         "skempton-brogan-1994", "Skempton and Brogan 1994", "gradient i", Sense::AtMost, by_curve,
         "Skempton and Brogan 1994",
         "Upward seepage carries the fines alone at alpha i_c. alpha (--alpha) is the mean effective stress in the "
-        "fines over that of the soil, alpha_fines of a run's stage.json (not fines_stress_share, which is FC alpha); "
-        "1 where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Asked with -i.",
+        "fines over that of the soil, alpha_fines of a run's stage.json (not fines_stress_share, which is FC alpha); 1 "
+        "where Kenney and Lau 1985 say stable, (H/F)min >= 1.3. Needs -i.",
         "safe where i is below it", "SkemptonBrogan1994"},
 };
 

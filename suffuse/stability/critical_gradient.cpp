@@ -19,7 +19,7 @@ Criterion against(std::string_view id, const UpwardSeepage& seepage, double crit
     return criterion;
 }
 
-/// The critical gradient over the one that is asked.
+/// The critical gradient over the specified one.
 std::string factor_of_safety(const Criterion& criterion) {
     return *criterion.value > 0 ? fmt::format("factor of safety {:.2g}", *criterion.limit / *criterion.value)
                                 : "no seepage, so no factor of safety";
@@ -45,8 +45,7 @@ Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
     if (seepage.stress_share) {
         criterion.remark = fmt::format("alpha = {:.3g}, {}", share, factor_of_safety(criterion));
     } else if (all_carry) {
-        criterion.remark =
-            fmt::format("alpha = 1 as the soil is stable by (H/F)min >= 1.3, {}", factor_of_safety(criterion));
+        criterion.remark = fmt::format("alpha = 1 because (H/F)min >= 1.3 (stable), {}", factor_of_safety(criterion));
     } else if (seepage.gradient > whole) {
         criterion.remark = fmt::format("whatever the fines carry, {}", factor_of_safety(criterion));
     } else {

@@ -68,11 +68,12 @@ Finding judge_gradients(const std::vector<ProbeResult>& probes, const ErosionRes
     }
     finding.met = both(none_without, some_with);
     if (!finding.met) {
-        finding.why = "A `detach` stage with `gradients = [0, 0.01, 0.05, 0.1]` tells.";
+        finding.why = "Add a `detach` stage with `gradients = [0, 0.01, 0.05, 0.1]`.";
     } else if (!*finding.met) {
-        finding.why = none_without == false ? "The rule takes grains that no water pulls at."
-                                            : "Under i = 0.01 no grain passes the rule: it asks for more speed than "
-                                              "the water gives within the watch.";
+        finding.why =
+            none_without == false
+                ? "The rule takes grains without any seepage force."
+                : "At i = 0.01 no grain meets the rule: it requires more speed than the water gives within the watch.";
     }
     return finding;
 }
@@ -91,12 +92,12 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     constexpr double apart = 10;
     Finding finding{
         "E2", "At i = 0.05 the median speeds of the two groups differ at least ten times within 1,000 iterations",
-        "two groups, easily told apart after 1,000 iterations (Figure 9)", "", std::nullopt};
+        "two groups, easily distinguished after 1,000 iterations (Figure 9)", "", std::nullopt};
     finding.our_numbers = {"at least ten times"};
     const ProbeResult* probe = probe_at(0.05, probes, erosion);
     if (probe == nullptr) {
         finding.ours = "i = 0.05 was not probed";
-        finding.why = "A `detach` or `erode` stage at i = 0.05 tells.";
+        finding.why = "Add a `detach` or `erode` stage at i = 0.05.";
         return finding;
     }
     const Detached detached = count_detached(*probe);
@@ -114,7 +115,7 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     finding.ours = fmt::format(
         "{} against {} m/s after {} iterations at full force: {}", short_number(fast), short_number(slow),
         grouped(std::llround(last * spacing)),
-        !(slow > 0)          ? "the others stand still"
+        !(slow > 0)          ? "the others do not move"
         : fast < 1000 * slow ? short_number(fast / slow) + " times"
                              : grouped(std::llround(fast / slow)) + " times"
     );
@@ -124,8 +125,8 @@ Finding judge_separation(const std::vector<ProbeResult>& probes, const ErosionRe
     finding.in_words = fast > slow;
     if (!separated) {
         finding.why = watched ? fmt::format(
-                                    "The slow group moves with what is left of unbalance ({}): relaxed further, the "
-                                    "two lie wider apart.",
+                                    "The slow group moves because of the residual unbalanced forces ({}); with further "
+                                    "relaxation the groups differ more.",
                                     short_number(probe->unbalanced_force, 2)
                                 )
                               : "The watch ends before 1,000 iterations, or was first read after them.";
@@ -208,7 +209,7 @@ Verdict differ_in_words(std::optional<double> first, std::optional<double> secon
     return (*first<least&& * second> least) || (*first<most&& * second> most);
 }
 
-/// Of a pass that cannot tell what removal does.
+/// Of a pass that cannot show what removal does.
 std::string took_nothing(const PassResult* pass, int number) {
     return pass == nullptr ? fmt::format("there was no pass {}", number) : fmt::format("pass {} took no grain", number);
 }

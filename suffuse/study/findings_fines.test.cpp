@@ -201,8 +201,8 @@ TEST(FinesFindings, SayWhetherTheSkeletonWasKept) {
     const auto opens = [](double x) { return 1 + 1.45 * x; };
     const Finding opened = finding_with("M3", "intergranular_void_ratio", opens);
     EXPECT_EQ(
-        opened.why, "This way of preparing let the skeleton open: by FC 20 % e_g is 29 % above that of the sand alone "
-                    "(1), and the paper keeps it."
+        opened.why, "This preparation let the skeleton open: at FC 20 % e_g is 29 % above that of the sand alone "
+                    "(1); the paper keeps it constant."
     );
     EXPECT_TRUE(finding_with("M4", "contact_share.SS", papers_soil()["contact_share.SS"]).why.empty()) << "met";
 }

@@ -17,7 +17,7 @@ constexpr int active_from = 2; // contacts
 std::string describe_pull(const PassResult& pass) {
     return pass.probe.fluid_over_contact > 0
                ? fmt::format(
-                     " The water pulls at a fine grain with {} of the mean contact force, so what carries load stays.",
+                     " The seepage force on a fine grain is {} of the mean contact force, so loaded fines stay.",
                      short_number(pass.probe.fluid_over_contact, 2)
                  )
                : "";
@@ -46,8 +46,8 @@ std::string describe_noise(const PassResult* pass) {
         "times as fast as the twin's in the median, at an unbalance of {}: {}.",
         grouped(refused + accepted), pass->pass, grouped(accepted), short_number(pass->probe.signal_over_twin),
         short_number(pass->probe.unbalanced_force, 2),
-        erosion::has_clear_signal(pass->probe) ? "their contacts give way elastically, and they go nowhere"
-                                               : "what is left of unbalance picks them, not the water"
+        erosion::has_clear_signal(pass->probe) ? "their contacts deform elastically, and they stay in place"
+                                               : "the residual unbalanced forces move them, not the water"
     );
 }
 

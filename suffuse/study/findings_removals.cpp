@@ -46,7 +46,7 @@ Finding judge_removals(const std::vector<Removal>& removals) {
         std::nullopt};
     finding.our_numbers = {"at least three times"};
     if (removals.empty()) {
-        finding.why = "A `remove` stage that takes all fines, below and above FC 20 %, tells.";
+        finding.why = "Add a `remove` stage that removes all fines, below and above FC 20 %.";
         return finding;
     }
     std::set<std::uint64_t> seeds;

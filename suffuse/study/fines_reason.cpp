@@ -41,16 +41,15 @@ std::string describe_skeleton(const Skeleton& skeleton, std::optional<double> si
     const std::string ratio = size_ratio ? fmt::format(" and the size ratio {}", short_number(*size_ratio, 2)) : "";
     if (std::abs(skeleton.change) > kept_within) {
         return fmt::format(
-            "This way of preparing let the skeleton open: by FC 20 % e_g is {} % {} that of the sand alone ({}), and "
-            "the paper keeps it.",
+            "This preparation let the skeleton open: at FC 20 % e_g is {} % {} that of the sand alone ({}); the paper "
+            "keeps it constant.",
             short_number(100 * std::abs(skeleton.change), 2), skeleton.change > 0 ? "above" : "below",
             short_number(skeleton.sand, 3)
         );
     }
     return fmt::format(
-        "The skeleton was kept (e_g within {} % up to FC 20 %). At which fines content the fines fill its voids "
-        "follows "
-        "from e_g, here {}{}; the paper gives no number for it.",
+        "The skeleton was kept (e_g within {} % up to FC 20 %). The fines content at which the fines fill its voids "
+        "follows from e_g, here {}{}; the paper gives no number for it.",
         std::abs(skeleton.change) < 0.01 ? std::string("1") : short_number(100 * std::abs(skeleton.change), 2),
         short_number(skeleton.sand, 3), ratio
     );
@@ -64,7 +63,7 @@ void give_reason(const StageCurve* loose, std::optional<double> size_ratio, Find
         return;
     }
     if (standing == Standing::Undecided) {
-        finding.why = "The fines contents that were run cannot decide it: more of them, about the paper's, would.";
+        finding.why = "The fines contents of this run cannot decide it; add some near the paper's value.";
         return;
     }
     if (standing == Standing::SeedsDisagree) {

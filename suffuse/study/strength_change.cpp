@@ -137,17 +137,17 @@ void remark_on_samples(const std::vector<TestPair>& pairs, std::vector<std::stri
         before.push_back(pair.before), after.push_back(pair.after);
         failed += pair.has_failed ? 1 : 0;
     }
-    remark(failed, pairs.size(), "the skeleton had failed when fines went, and found a new state", remarks);
+    remark(failed, pairs.size(), "the skeleton had failed during removal and found a new state", remarks);
     remark_on_test(before, remarks);
     remark_on_test(after, remarks);
 }
 
-/// What the curves tell beyond their highest point.
+/// What the curves show beyond their highest point.
 void gather_curves(
     const std::vector<TestPair>& pairs, const std::vector<bool>& is_compared, const TriaxialSpec& test,
     StrengthChange& change
 ) {
-    constexpr double usual_strain = 0.1; // to which tests of soil are often told
+    constexpr double usual_strain = 0.1; // at which tests of soil are often read
     change.reading_strain = std::min(usual_strain, test.strain);
     const auto at_strain = [&](const record::FinishedStage& stage) {
         return test.strain <= usual_strain ? number_of(stage, "final_deviator")
@@ -179,8 +179,7 @@ void gather_curves(
     remark(
         compared - critical, compared,
         fmt::format(
-            "too short to see the critical state, and what strength is left there: at {} % axial strain volume or "
-            "stress still change",
+            "too short to reach the critical state: at {} % axial strain volume or stress still change",
             short_number(100 * test.strain, 3)
         ),
         change.remarks
