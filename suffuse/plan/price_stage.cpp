@@ -20,13 +20,13 @@
 namespace suffuse::plan {
 namespace {
 
-// Steps, beside the `patience` that comes on top where a balance is waited for.
+// Steps, without the `patience` that is added where a balance is waited for.
 constexpr Range settling{250, 6'000}; // a packing from elsewhere
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
 constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
-constexpr int endless = 5;                // passes that "until nothing leaves" may add to those asked ...
+constexpr int endless = 5;                // passes that "until nothing leaves" may add to those specified ...
 constexpr int endless_travel = 30;        // ... where fines travel: 19 to 26 seen
 constexpr Range slow_collapse{0.55, 1.1}; // of the steps in which the largest rate would close what removal opened
 constexpr double swept_rattlers = 0.65;   // of the fines without load, at least this share leaves with an erosion
@@ -136,7 +136,7 @@ public:
 
     StagePrice operator()(const dem::AdvanceSpec& spec) {
         const auto steps = static_cast<double>(spec.steps);
-        return {.steps = {steps, steps}, .memory_a_grain = grain_memory, .basis = "as asked"};
+        return {.steps = {steps, steps}, .memory_a_grain = grain_memory, .basis = "as specified"};
     }
 
     StagePrice operator()(const triaxial::TriaxialSpec& spec) {
@@ -256,7 +256,7 @@ public:
             .steps = closing * a_strain * slow_collapse +
                      static_cast<double>(spec.passes) * (rest_after_removal + 2 * waited(case_, {})),
             .memory_a_grain = 2 * grain_memory,
-            .basis = spec.passes == 1 ? "two new equilibria, after all asked have gone"
+            .basis = spec.passes == 1 ? "two new equilibria, after all requested grains have been removed"
                                       : fmt::format("two new equilibria after each of {} passes", spec.passes)};
     }
 

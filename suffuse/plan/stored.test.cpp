@@ -35,7 +35,7 @@ TEST(Stored, WhatHelpsDependsOnTheFile) {
     const auto message_for = [](const char* file) { return std::string(record::not_as_stored(file, "broken").what()); };
     EXPECT_NE(message_for("r/studies/s/a/stage.json").find("; remove r/studies/s/a and resume"), std::string::npos);
     EXPECT_NE(message_for("r/plan.json").find("; remove it and resume"), std::string::npos);
-    EXPECT_NE(message_for("r/run_options.json").find("; put back what it held"), std::string::npos);
+    EXPECT_NE(message_for("r/run_options.json").find("; restore its contents"), std::string::npos);
     const TempFolder folder;
     EXPECT_NE(
         std::string(record::not_as_stored(folder.path(), "broken").what())
@@ -53,15 +53,17 @@ TEST(Stored, FilesOfARunThatLackAKeyAreNamed) {
     record::write_json(stage / record::failure_file, {{"sample", "replay"}});
     EXPECT_NE(
         complaint_of([&] { record::read_failures(folder.path(), what); }
-        ).find("failed.json: is not as it was written (key 'stage'"),
+        ).find("failed.json: has changed since it was written (key 'stage'"),
         std::string::npos
     );
     record::write_json(folder / "plan.json", {{"stages", 3}});
-    EXPECT_NE(complaint_of([&] { record_outcome(folder.path()); }).find("plan.json: is not as"), std::string::npos);
+    EXPECT_NE(
+        complaint_of([&] { record_outcome(folder.path()); }).find("plan.json: has changed since"), std::string::npos
+    );
     io::write_file(folder / "plan.json", "{");
     EXPECT_NE(
         complaint_of([&] { record_outcome(folder.path()); }
-        ).find("plan.json: is not as it was written (no valid JSON)"),
+        ).find("plan.json: has changed since it was written (no valid JSON)"),
         std::string::npos
     );
 }

@@ -64,17 +64,16 @@ Sums sums_of_ended(const fs::path& run) {
     check_is_run(run);
     const std::string missing = describe_missing(find_missing_stages(load_run(run), run));
     throw IoError(
-        missing.empty()
-            ? fmt::format(
-                  "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
-                  "suffuse report {2} writes them, once the stages are found whole",
-                  run.string(), checksums_file, shell_word(run.string())
-              )
-            : fmt::format(
-                  "{0}: the run has not ended: {1}; suffuse resume {2} goes on, and suffuse watch {2} shows whether it "
-                  "still runs",
-                  run.string(), missing, shell_word(run.string())
-              )
+        missing.empty() ? fmt::format(
+                              "{0}: has no {1}: an earlier version made it, or it was stopped in its last moment; "
+                              "suffuse report {2} writes them, once the stages are found whole",
+                              run.string(), checksums_file, shell_word(run.string())
+                          )
+                        : fmt::format(
+                              "{0}: the run has not ended: {1}; suffuse resume {2} continues it, and suffuse watch {2} "
+                              "shows whether it still runs",
+                              run.string(), missing, shell_word(run.string())
+                          )
     );
 }
 
@@ -90,7 +89,8 @@ void check_state(const fs::path& run, const std::string& numbers_file, Verificat
     const std::string hash = fmt::format("{:016x}", dem::state_hash(io::load_world(folder / "state.h5").world));
     ++found.states;
     if (hash != recorded) {
-        found.damages.push_back({numbers_file, fmt::format("tells the state {}, and state.h5 holds {}", recorded, hash)}
+        found.damages.push_back(
+            {numbers_file, fmt::format("records the state {}, but state.h5 holds {}", recorded, hash)}
         );
     }
 }
@@ -108,7 +108,7 @@ void require_case_of_beginning(const fs::path& run) {
         if (!what.empty()) {
             const std::string began_with = case_that_began(run);
             throw IoError(fmt::format(
-                "{} {} since the run began{}: put it back as it was, or begin a run in another folder",
+                "{} {} since the run began{}: restore it, or begin a run in another folder",
                 (run / resolved_case_file).string(), what, began_with.empty() ? "" : " with " + began_with
             ));
         }
@@ -126,8 +126,7 @@ void check_own(const fs::path& run, const std::string& name, const std::string& 
         std::ranges::count(inputs, name) == 0
             ? fmt::format("suffuse report {} writes it anew", shell_word(run.string()))
             : fmt::format(
-                  "put it back as it was, or, where the change is yours, remove its line from {}",
-                  (run / checksums_file).string()
+                  "restore it, or, if the change is yours, remove its line from {}", (run / checksums_file).string()
               );
     throw IoError(fmt::format("{} {} since the run ended; {}", (run / name).string(), what, advice));
 }
@@ -157,8 +156,8 @@ Sums read_run_sums(const fs::path& run) {
         return read_sums(run / checksums_file);
     } catch (const IoError& error) {
         throw IoError(fmt::format(
-            "{}; put it back as it was, or remove it, and suffuse report {} writes it anew: what the stages left is "
-            "checked all the same",
+            "{}; restore it, or remove it, and suffuse report {} writes it anew; the stages are checked "
+            "regardless",
             error.what(), shell_word(run.string())
         ));
     }

@@ -148,24 +148,22 @@ std::string first_of(const std::vector<std::string>& stages) {
 std::string words_on_doubts(const StagesCheck& found) {
     if (!found.unchecked.empty()) {
         return fmt::format(
-            "an earlier version left no checksums of {}: whether they are as they were is not known",
-            first_of(found.unchecked)
+            "an earlier version left no checksums of {}: it is unknown whether they changed", first_of(found.unchecked)
         );
     }
-    return found.unverified.empty()
-               ? ""
-               : fmt::format(
-                     "unverified: an earlier version left no key of {} that this one can compare; whether they are of "
-                     "this case is not known",
-                     first_of(found.unverified)
-                 );
+    return found.unverified.empty() ? ""
+                                    : fmt::format(
+                                          "unverified: an earlier version left no key of {} that this version can "
+                                          "compare; it is unknown whether they belong to this case",
+                                          first_of(found.unverified)
+                                      );
 }
 
 /// Where it is the case that was changed, not the stage.
 std::string advice_on_case(const fs::path& run) {
     const std::string began_with = case_that_began(run);
     return fmt::format(
-        "where {} was changed, put it back as it was{}; otherwise ", (run / resolved_case_file).string(),
+        "if {} was changed, restore it{}; otherwise ", (run / resolved_case_file).string(),
         began_with.empty() ? "" : fmt::format(" (the run began with {})", began_with)
     );
 }
@@ -199,7 +197,7 @@ std::string require_whole_stages(const fs::path& run, const std::string& sample)
     }
     const std::size_t more = found.damages.size() - named.size();
     throw IoError(fmt::format(
-        "a finished stage is not as it was: {}{}; {}{}", fmt::join(named, ", "),
+        "a finished stage has changed: {}{}; {}{}", fmt::join(named, ", "),
         more > 0 ? fmt::format(" and {} more", more) : "", found.is_of_other_case ? advice_on_case(run) : "",
         advice_for(found.to_remove)
     ));

@@ -194,7 +194,7 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
 void check_is_run(const std::filesystem::path& folder) {
     if (!std::filesystem::exists(folder / resolved_case_file)) {
         throw IoError(fmt::format(
-            "{}: holds no run, for it has no {}; give the folder that suffuse run has named", folder.string(),
+            "{}: holds no run, because it has no {}; give the folder that suffuse run printed", folder.string(),
             resolved_case_file
         ));
     }
@@ -203,8 +203,8 @@ void check_is_run(const std::filesystem::path& folder) {
 void check_is_in_place(const std::filesystem::path& run) {
     if (!std::filesystem::exists(run / resolved_case_file)) {
         throw IoError(fmt::format(
-            "{}: was moved or removed while the run worked in it; what is finished lies where it went: suffuse resume "
-            "goes on there",
+            "{}: was moved or removed while the run worked in it; the finished stages are in the moved folder: "
+            "continue there with suffuse resume",
             run.string()
         ));
     }

@@ -24,7 +24,7 @@ io::Checkpoint KnownState::load() const {
 
 void KnownState::check(const dem::World& world, const std::string& expected) const {
     if (const std::string found = describe_state(world); !expected.empty() && found != expected) {
-        complain(fmt::format("is not the state that was saved ({}, told {})", found, expected));
+        complain(fmt::format("is not the state that was saved ({}, recorded {})", found, expected));
     }
 }
 

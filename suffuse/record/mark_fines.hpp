@@ -13,7 +13,7 @@
 
 namespace suffuse::record {
 
-/// Whether a stage of the sample takes fines out, or asks which would leave.
+/// Whether a stage of the sample removes fines, or finds which would leave.
 inline bool needs_fines(const casefile::Variant& variant) {
     return std::ranges::any_of(variant.stages, [](const casefile::Stage& stage) {
         return casefile::traits_of(stage).needs_fines_rule;
@@ -21,8 +21,8 @@ inline bool needs_fines(const casefile::Variant& variant) {
 }
 
 /// @param origin the packing's file
-/// @throws CaseError where size does not tell the fines, or where a stage needs them and the packing has none (or no
-/// skeleton).
+/// @throws CaseError where size does not determine the fines, or where a stage needs them and the packing has none (or
+/// no skeleton).
 inline void mark_fines(const casefile::Variant& variant, const std::string& origin, grains::Grains& grains) {
     const auto is_fine = [](std::uint8_t fine) { return fine != 0; };
     const auto& soil = variant.soil;
@@ -33,9 +33,8 @@ inline void mark_fines(const casefile::Variant& variant, const std::string& orig
     if (is_mixture && std::ranges::any_of(grains.fine, is_fine)) { // the file names them: two curves may overlap
         if (needs_fines(variant) && std::ranges::all_of(grains.fine, is_fine)) {
             throw CaseError(
-                origin +
-                    ": the file marks all grains as fine, and a stage asks which fines move between coarse grains; "
-                    "mark the coarse grains by 0, or leave the marks out",
+                origin + ": the file marks all grains as fine, but a stage finds which fines move between coarse "
+                         "grains; mark the coarse grains by 0, or leave the marks out",
                 origin
             );
         }

@@ -26,15 +26,15 @@ std::string what_to_do(const Diagnostic& problem, const std::filesystem::path& r
     if (problem.code == "E501") {
         const std::string began_with = case_that_began(run);
         return began_with.empty() ? ""
-                                  : fmt::format("; the run began with {}: put back the file that it names", began_with);
+                                  : fmt::format("; the run began with {}: restore the file that it names", began_with);
     }
     return "; the run began with a version of suffuse that took this: " +
-           (problem.code == "E407" ? fmt::format(
-                                         "take the word out of {} and call again; the stage never measured it, so "
-                                         "nothing else changes",
-                                         problem.file
-                                     )
-                                   : fmt::format("mend {} and call again, or begin anew", problem.file));
+           (problem.code == "E407"
+                ? fmt::format(
+                      "remove the word from {} and call again; the stage never measured it, so nothing else changes",
+                      problem.file
+                  )
+                : fmt::format("correct {} and call again, or start a new run", problem.file));
 }
 
 json scalar_json(const Scalar& value) {

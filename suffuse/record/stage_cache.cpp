@@ -200,7 +200,8 @@ bool StageCache::is_one() const {
 void StageCache::require_one() const {
     if (!folder_.empty() && fs::is_directory(folder_) && !is_one()) {
         throw UsageError(fmt::format(
-            "{} is no cache: it holds files, and no cache.json of suffuse; give --cache a new folder, or --no-cache",
+            "{} is not a cache: it holds files but no cache.json of suffuse; give --cache a new folder, or use "
+            "--no-cache",
             folder_.string()
         ));
     }

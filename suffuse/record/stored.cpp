@@ -14,14 +14,14 @@ std::string what_helps(const fs::path& file) {
     const fs::path name = file.filename();
     if (fs::is_directory(file)) {
         return fmt::format(
-            "suffuse verify {} tells which file; remove the folder of its stage and resume", shell_word(file.string())
+            "find the file with suffuse verify {}; remove the folder of its stage and resume", shell_word(file.string())
         );
     }
     if (name == "stage.json" || name == "results.cbor") {
         return fmt::format("remove {} and resume: its stage is then computed anew", file.parent_path().string());
     }
     if (name == options_file) {
-        return "put back what it held, or begin the run anew in another folder";
+        return "restore its contents, or begin the run anew in another folder";
     }
     return "remove it and resume";
 }
@@ -30,8 +30,8 @@ std::string what_helps(const fs::path& file) {
 
 IoError not_as_stored(const fs::path& file, const std::string& found) {
     return IoError(fmt::format(
-        "{}: is not as it was written ({}): it was changed or damaged, or is of another version; {}", file.string(),
-        found, what_helps(file)
+        "{}: has changed since it was written ({}): it was modified or damaged, or belongs to another version; {}",
+        file.string(), found, what_helps(file)
     ));
 }
 

@@ -54,13 +54,15 @@ TEST(StoredFindings, WithoutAKeyOrOfAnotherTypeAreRefusedWithTheFileAndWhatHelps
          {std::pair{without_key, "(key 'mean' not found)"}, {other_type, "(type must be number, but is string)"}}) {
         write_cbor(folder / "results.cbor", results);
         EXPECT_EQ(
-            complaint_about(folder), name + ": is not as it was written " + found +
-                                         ": it was changed or damaged, or is of another version; remove " +
+            complaint_about(folder), name + ": has changed since it was written " + found +
+                                         ": it was modified or damaged, or belongs to another version; remove " +
                                          folder.path().string() + " and resume: its stage is then computed anew"
         );
     }
     io::write_file(folder / "results.cbor", "\xa1");
-    EXPECT_NE(complaint_about(folder).find(name + ": is not as it was written (no valid CBOR)"), std::string::npos);
+    EXPECT_NE(
+        complaint_about(folder).find(name + ": has changed since it was written (no valid CBOR)"), std::string::npos
+    );
 }
 
 // Figures take a row of one column for a row of all.
@@ -70,13 +72,15 @@ TEST(StoredFindings, WithColumnsOfOtherLengthsAreRefused) {
     results["throat_flux"]["carried"] = {0, 1};
     write_cbor(folder / "results.cbor", results);
     EXPECT_NE(
-        complaint_about(folder).find("results.cbor: is not as it was written (throat_flux has 3 of quantile and 2 of "
-                                     "carried): it was changed or damaged"),
+        complaint_about(folder).find(
+            "results.cbor: has changed since it was written (throat_flux has 3 of quantile and 2 of "
+            "carried): it was modified or damaged"
+        ),
         std::string::npos
     );
 }
 
-// Whether a value was changed is for the checksums of its stage to tell.
+// Whether a value was changed is shown by the checksums of its stage.
 TEST(StoredFindings, AreReadOrRefusedWithTheFileWhateverByteHasChanged) {
     const TempFolder folder;
     write_cbor(folder / "results.cbor", some_results());

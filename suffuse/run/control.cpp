@@ -48,11 +48,11 @@ void Control::beat(std::string_view part, long long steps, const dem::World* wor
         saved_ = Clock::now();
     }
     if (stop) {
-        throw Interrupted("asked to stop, or out of time");
+        throw Interrupted("stop requested, or out of time");
     }
 }
 
-/// Grain steps per second since steps were first told; a search that begins anew counts anew.
+/// Grain steps per second since steps were first reported; a search that begins anew counts anew.
 double Control::rate(long long steps, std::size_t grains) {
     if (rate_first_step_ < 0 || steps < rate_first_step_) {
         rate_first_step_ = steps;

@@ -65,7 +65,7 @@ void note_mobility(StageWork& work, const std::string& when, const erosion::Mobi
     if (mobility.sifts) {
         work.warnings.push_back(fmt::format(
             "{}: {}{:.2g} % of the fines' mass sift through the skeleton under their own weight, without any flow: "
-            "this soil cannot be placed as it is modeled here, and what a gradient moves is what weight has left",
+            "the modeled soil segregates under its own weight, and a gradient can only move the fines that remain",
             work.place(), when, 100 * mobility.sifting_mass_share
         ));
     }

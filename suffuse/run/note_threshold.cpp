@@ -20,8 +20,8 @@ void note_threshold(
         work.place(), when, grouped(refused + accepted), short_number(rule.over_speed.value_or(0)), grouped(accepted),
         short_number(probe.signal_over_twin),
         erosion::has_clear_signal(probe)
-            ? "their contacts give way elastically; raise `over`"
-            : "what is left of unbalance decides, not the water; lower `probe_unbalanced_force`"
+            ? "their contacts deform elastically; raise `over`"
+            : "the residual unbalanced forces decide, not the water; lower `probe_unbalanced_force`"
     ));
 }
 

@@ -37,7 +37,7 @@ void Overview::remark_not_cached(const std::string& why) {
     const std::lock_guard lock(mutex_);
     if (!std::exchange(has_reported_cache_, true)) {
         remarks_.push_back(fmt::format(
-            "stages are not kept in the cache, and another run will compute them again: {}; this run is not concerned",
+            "stages are not stored in the cache, so another run will compute them again: {}; this run is not affected",
             why
         ));
     }

@@ -56,7 +56,7 @@ public:
         : name_(record::stage_name(*sample.variant, stage)),
           folder_(record::stage_folder(run, *sample.variant, stage)) {}
 
-    /// @param asked what earlier calls asked for the stage, @param given what this one does; null: nothing
+    /// @param own the rule of earlier calls for the stage, @param given what this one does; null: nothing
     void check(const json& own, const json& given) const {
         const std::filesystem::path numbers = folder_ / "stage.json";
         if (std::filesystem::exists(numbers)) {
@@ -70,7 +70,7 @@ public:
             }
         } else if (given.is_null() && !own.is_null()) {
             throw UsageError(fmt::format(
-                "{}: was asked for with {} from Python, and only that may compute it: go on with "
+                "{}: was requested with {} from Python, and only Python can compute it: continue with "
                 "suffuse.Run(...).resume(rules=...)",
                 name_, name_in(own)
             ));

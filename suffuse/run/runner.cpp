@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    /// Runs what the results so far ask for.
+    /// Runs what the results so far require.
     void refine() {
         const std::vector<record::Refinement> found =
             interrupted_ ? std::vector<record::Refinement>{} : record::find_refinements(what_, options_.folder);
@@ -114,7 +114,7 @@ private:
         } catch (const std::bad_alloc&) {
             fail(
                 run, "memory",
-                "out of memory; suffuse plan CASE tells how much a case needs, and --memory how much a run may take"
+                "out of memory; suffuse plan CASE shows how much a case needs, --memory limits what a run may use"
             );
         } catch (...) {
             overview_.break_off();
@@ -138,7 +138,7 @@ private:
         overview_.end_sample(std::move(last));
     }
 
-    const casefile::Case& listed_; ///< as asked
+    const casefile::Case& listed_; ///< as specified
     casefile::Case what_;          ///< with what was refined
     const RunOptions& options_;
     std::vector<record::Sample> samples_;

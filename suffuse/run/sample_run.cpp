@@ -35,7 +35,7 @@ namespace {
 
 using nlohmann::json;
 
-/// A file that means nothing beside a finished stage; it may as well stay where it cannot be removed.
+/// A file that means nothing next to a finished stage; it may as well stay where it cannot be removed.
 void drop(const std::filesystem::path& file) {
     std::error_code error;
     std::filesystem::remove(file, error);
@@ -77,8 +77,8 @@ void take_up(StageWork& work) {
         if (const std::string writer = saved.value("commit", "unknown"); writer != commit()) {
             work.has_two_makers = true;
             work.warnings.push_back(fmt::format(
-                "{}: commit {} began it and commit {} went on; its numbers may be those of neither alone", work.place(),
-                writer, commit()
+                "{}: begun by commit {} and continued by commit {}; its numbers may match neither version",
+                work.place(), writer, commit()
             ));
         }
     } catch (const json::exception&) {

@@ -64,13 +64,13 @@ void note_own_rule(StageWork& work) {
     }
     work.numbers["own_rule"] = rule_of(work);
     work.warnings.push_back(fmt::format(
-        "{}: a rule of the caller's own, {}, decided which fines are detachable; `detached` of the case did not count",
-        work.place(), work.own_rule->name
+        "{}: a custom rule, {}, decided which fines are detachable; `detached` of the case was not used", work.place(),
+        work.own_rule->name
     ));
     if (work.own_rule->source.empty() && !work.resumed.is_null()) {
         work.warnings.push_back(fmt::format(
-            "{}: the text of {} could not be read: whether it was the same before and after the stop is not known",
-            work.place(), work.own_rule->name
+            "{}: the text of {} could not be read: it is unknown whether it changed during the stop", work.place(),
+            work.own_rule->name
         ));
     }
 }

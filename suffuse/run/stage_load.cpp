@@ -16,7 +16,7 @@
 namespace suffuse::run {
 namespace {
 
-/// @param time_step asked for [s]; 0: computed
+/// @param time_step requested [s]; 0: computed
 dem::StepPlan plan_for(const StageWork& work, double time_step, const cell::Loading& loading) {
     dem::StepPlan plan;
     plan.dt = time_step;
@@ -69,7 +69,7 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
     }
 }
 
-/// A sample that came to the stress asked for from beyond it is not the one that was asked for: where it was unloaded,
+/// A sample that came to the specified stress from beyond it is not the one that was requested: where it was unloaded,
 /// its contacts are off their limits; where its volume was held, it bears more.
 void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const std::vector<triaxial::PathRow>& rows) {
     constexpr double much = 0.01;
@@ -81,9 +81,9 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
             return spec.stress_ratio ? row.deviator_stress / row.mean_stress : row.deviator_stress / 1e3;
         };
         work.warnings.push_back(fmt::format(
-            "{}: asked to stop at {}, the test started at {:.4g} and reached {:.4g}{}: the sample comes to rest from "
-            "beyond the stress asked for, its contacts further from sliding than under first loading; start from a "
-            "sample that bears less, or take a smaller inertial_number",
+            "{}: specified to stop at {}, the test started at {:.4g} and reached {:.4g}{}: the sample comes to rest "
+            "after exceeding the specified stress, so its contacts are further from sliding than under first loading; "
+            "start from a sample that bears less, or use a smaller inertial_number",
             work.place(),
             spec.stress_ratio ? fmt::format("q/p = {:.4g}", *spec.stress_ratio)
                               : fmt::format("a deviator stress of {:.4g} kPa", specified / 1e3),

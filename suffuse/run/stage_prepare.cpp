@@ -33,7 +33,7 @@ packing::CompactSpec with_void_ratio(packing::CompactSpec spec, const grains::Gr
     if (!(*spec.void_ratio > 0)) {
         throw StateError(fmt::format(
             "an intergranular void ratio of {:.4g} leaves no room for the fines: at a fines content of {:.4g} % the "
-            "void ratio would be {:.4g}; ask for more than {:.4g}",
+            "void ratio would be {:.4g}; specify more than {:.4g}",
             wanted, 100 * content, *spec.void_ratio, content / (1 - content)
         ));
     }
@@ -45,7 +45,7 @@ enum class Part {
     OfMore, ///< a trial among several, or a skeleton alone: done anew where it was interrupted
 };
 
-/// One compaction. A trial ends as soon as it is seen to miss the void ratio asked for.
+/// One compaction. A trial ends as soon as it is seen to miss the specified void ratio.
 void compact(StageWork& work, const packing::CompactSpec& spec, packing::CompactState state, Part part) {
     if (part == Part::Whole) {
         work.control.save_with([&] {
@@ -121,7 +121,7 @@ void search(StageWork& work, const packing::CompactSpec& wanted) {
     }
 }
 
-/// The grains of the world, by the preparation asked for or by a search for it.
+/// The grains of the world, by the specified preparation or by a search for it.
 void compact_as_specified(StageWork& work, const packing::CompactSpec& specified, Part part) {
     const packing::CompactSpec spec = with_void_ratio(specified, work.world.grains);
     const bool goes_on = !work.resumed.is_null() && part == Part::Whole;
@@ -167,7 +167,7 @@ void compact_on_skeleton(StageWork& work, const packing::CompactSpec& together, 
     compact(work, together, start, Part::Whole);
 }
 
-/// The coarse grains alone, as asked; the fines into their voids; then all of them.
+/// The coarse grains alone, as specified; the fines into their voids; then all of them.
 void compact_skeleton_first(StageWork& work, const packing::CompactSpec& specified) {
     packing::CompactSpec together = specified;
     together.intergranular_void_ratio = std::nullopt; // the skeleton's
@@ -221,7 +221,7 @@ void do_pack(StageWork& work, const packing::PackSpec& spec) {
     work.numbers["grading_largest_difference"] = sample.largest_difference;
     work.numbers["grading_tolerance"] = work.variant.soil->grading_tolerance;
     work.numbers["fines_content_reached"] = sample.fines_content;
-    if (work.variant.soil->report_kenney_lau) { // beside the split in use
+    if (work.variant.soil->report_kenney_lau) { // next to the split in use
         const std::optional<double> split = grains::kenney_lau_split(grains::specified_grading(*work.variant.soil));
         work.numbers["kenney_lau_split"] = or_null(split);
     }

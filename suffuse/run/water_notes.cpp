@@ -34,7 +34,7 @@ void note_network(
         work.warnings.push_back(fmt::format(
             "{}: the solid fraction {} is {:.3f}: below {} the permeability of conductance = \"yade\" is too high by "
             "40 % and more (validation/permeability.md), and its ratio to a denser state's is too high as well; the "
-            "fluid's forces add up to the gradient all the same",
+            "fluid forces still balance the gradient",
             work.place(), when, solid_fraction, open_packing
         ));
     }
@@ -78,8 +78,8 @@ void note_probe(StageWork& work, const erosion::DetachSpec& rule, const erosion:
     }
     if (decides && noise_decides(rule, probe)) {
         work.flaws.push_back(fmt::format(
-            "{}: {} of {} fines move with the water, but not enough faster than their own twins without: "
-            "what detaches cannot be told; take another seed, more `relax_limit`, or `by = \"displacement\"`",
+            "{}: {} of {} fines move with the water, but not enough faster than their own twins without: detachment is "
+            "undecided; use another seed, more `relax_limit`, or `by = \"displacement\"`",
             work.place(), probe.hidden_by_noise, probe.id.size()
         ));
     }
