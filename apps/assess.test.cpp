@@ -52,7 +52,7 @@ TEST_F(Assess, SaysNumberLimitAndVerdictOfEachCriterion) {
 TEST_F(Assess, SaysThatAlmostNoFinesPassWhereTheConstrictionsAreTooNarrow) {
     write_to(folder / "uniform.csv", "d [mm],passing [%]\n0.8,0\n1,50\n1.25,100\n");
     EXPECT_EQ(call("uniform.csv --fines 0.9mm"), 0);
-    expect_out("hardly any of the finer grains are smaller than that");
+    expect_out("almost none of the finer grains are smaller than that");
 }
 
 TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
@@ -217,7 +217,7 @@ TEST_F(Assess, WritesAPageToPlayWith) {
     const std::string page = read_all(folder / "dyke.html");
     expect_in("\"gradient\":0.25", page);
     expect_in("\"alpha\":0.2", page);
-    expect_in("default-src 'none'", page); // it asks nobody for anything
+    expect_in("default-src 'none'", page); // it loads nothing
     for (const char* mark : {"@DATA@", "@SCRIPT@", "@STYLE@", "@PROGRAM@", "http://", "https://"}) {
         EXPECT_EQ(page.find(mark), std::string::npos) << mark;
     }

@@ -119,13 +119,13 @@ std::vector<std::string> with_verb(std::vector<std::string> words) {
     return words;
 }
 
-/// Whether help is asked for on a verb that there is not.
+/// Whether help is requested on a verb that there is not.
 bool names_unknown_verb(const CLI::App& app) {
     const std::vector<std::string> extra = app.remaining(true);
     return !extra.empty() && !extra.front().starts_with('-') && !names_of_verbs(innermost(app)).empty();
 }
 
-/// @return what there is to say where help or the version is asked for, or no verb; else empty
+/// @return what there is to say where help or the version is requested, or no verb; else empty
 std::string parse(CLI::App& app, std::vector<std::string> words) {
     std::reverse(words.begin(), words.end()); // as CLI11 wants them
     try {
@@ -153,7 +153,7 @@ std::string parse(CLI::App& app, std::vector<std::string> words) {
 
 void add_everywhere(CLI::App& app, CommandLine& line, std::string& color) {
     Options everywhere(app);
-    everywhere.flag("-q,--quiet", line.quiet, "say nothing but results and errors");
+    everywhere.flag("-q,--quiet", line.quiet, "print only results and errors");
     everywhere.flag("-v,--verbose", line.verbose, "say more");
     everywhere.flag("--json", line.json, "one JSON document on standard output");
     everywhere.value("--color", color, "auto, always or never; NO_COLOR is obeyed")

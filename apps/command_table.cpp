@@ -36,7 +36,7 @@ Values kind_of(const std::string& placeholder) {
 
 FlagRow row_of(const CLI::Option& option) {
     FlagRow row;
-    row.text = option.get_lnames() == std::vector<std::string>{"help"} ? "what this is, with an example"
+    row.text = option.get_lnames() == std::vector<std::string>{"help"} ? "show what suffuse is, with an example"
                                                                        : option.get_description();
     if (option.get_positional()) {
         row.placeholder = option.get_name(true, false);

@@ -39,9 +39,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double stack_of_threads = 16e6; // [B] a thread, and one that waits for it: counted in the bound, hardly used
+constexpr double stack_of_threads = 16e6; // [B] a thread, and one that waits for it: counted in the bound, rarely used
 
-/// The plan of what is asked for alone.
+/// The plan of what is requested only.
 plan::RunPlan requested_plan(const Job& job) {
     plan::RunPlan plan = job.plan;
     plan::keep_requested_alone(plan, job.what, job.until, job.sample);
@@ -157,7 +157,7 @@ int conduct(const Job& job, const Console& console) {
         }
         gate.pass(progress);
     };
-    if (job.sample.empty()) { // a sample beside others knows the price of its own stages only
+    if (job.sample.empty()) { // a sample that runs at the same time as others knows the price of its own stages only
         plan::keep_plan(job.folder, job.plan);
     }
     bound_memory(job.memory + stack_of_threads * static_cast<double>(thread_count()));
@@ -195,7 +195,7 @@ void print_plan(const Job& job, const std::string& preposition, const Console& c
     for (const std::string& shortage : shortages(requested, job.folder)) {
         console.talk("warning: " + shortage);
     }
-    console.talk(fmt::format("{:5} {}   report.html there shows how far it is", preposition, job.folder.string()));
+    console.talk(fmt::format("{:5} {}   report.html there shows its progress", preposition, job.folder.string()));
     const auto cached = std::count_if(requested.stages.begin(), requested.stages.end(), [](const auto& stage) {
         return stage.is_cached;
     });

@@ -1,4 +1,4 @@
-// Damaged files of runs as a user meets them: nothing is used, told or signed, and the message says how to go on.
+// Damaged files of runs as a user meets them: nothing is used, reported or signed, and the message says how to go on.
 
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_sums.hpp"
@@ -223,8 +223,8 @@ TEST_F(Damaged, ACacheThatCannotBeWrittenIsReportedAndCostsNoResult) {
     write_to(folder / "file", "no folder");
     const ProgramResult result = run("other", {"--cache", "file"});
     EXPECT_EQ(result.code, 0) << result.error;
-    expect_in("warning: stages are not kept in the cache, and another run will compute them again: ", result.error);
-    EXPECT_EQ(result.error.find("not kept", result.error.find("not kept") + 1), std::string::npos)
+    expect_in("warning: stages are not stored in the cache, so another run will compute them again: ", result.error);
+    EXPECT_EQ(result.error.find("not stored", result.error.find("not stored") + 1), std::string::npos)
         << "once for all stages";
     EXPECT_EQ(hash_of("settled", "other"), hash_of("settled"));
     EXPECT_EQ(run_suffuse({"verify", "other"}).code, 0);
@@ -236,7 +236,7 @@ TEST_F(Damaged, AFolderThatIsNoCacheIsLeftAlone) {
          std::vector<std::vector<std::string>>{{"cache", "papers", "--limit", "1"}, {"cache", "papers", "--clear"}}) {
         const ProgramResult result = run_suffuse(words);
         EXPECT_EQ(result.code, 2);
-        expect_in("papers is no cache", result.error);
+        expect_in("papers is not a cache", result.error);
     }
     EXPECT_FALSE(fs::exists(folder / "papers/cache.json"));
 }

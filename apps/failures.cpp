@@ -26,7 +26,7 @@ void print_failures(
         console.error(fmt::format("{}, stage {}: {}", failure.sample, failure.stage, failure.message));
     }
     console.talk(fmt::format(
-        "{} of {} failed; the others are in the report. When the cause is mended: suffuse resume {}", failures.size(),
+        "{} of {} failed; the others are in the report. After removing the cause: suffuse resume {}", failures.size(),
         plural(samples, "sample"), shell_word(folder.string())
     ));
 }

@@ -1,4 +1,4 @@
-// Folders made by somebody else, and the user's own files beside ours: nothing of either is written or removed.
+// Folders made by somebody else, and the user's own files next to ours: nothing of either is written or removed.
 
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/record/folder.hpp"
@@ -93,7 +93,7 @@ TEST_F(ForeignFiles, AFolderThatIsNoCacheIsRefusedBeforeAnythingIsMade) {
              {"cache", "data"}}) {
         const ProgramResult result = run_suffuse(words);
         EXPECT_EQ(result.code, 2) << words[0] << result.error;
-        expect_in("data is no cache", result.error);
+        expect_in("data is not a cache", result.error);
     }
     EXPECT_FALSE(fs::exists(folder / "r"));
     EXPECT_TRUE(fs::exists(folder / "data/new-2024/a.jpg") && fs::exists(folder / "data/deadbeefdeadbeef/p"));
@@ -251,7 +251,7 @@ TEST_F(Swapped, ACaseThatWasChangedInAStoppedRunIsNoticedAndTheUsersOwnIsNamed) 
     fs::remove(folder / "a/events.jsonl"); // as of a version that did not note it there
     const ProgramResult older = run_suffuse({"resume", "a", "--no-cache"});
     EXPECT_EQ(older.code, 74) << older.error;
-    expect_in("a/case.resolved.toml was changed, put it back as it was (the run began with", older.error);
+    expect_in("a/case.resolved.toml was changed, restore it (the run began with", older.error);
 }
 
 TEST_F(Swapped, AHalfDoneStageOfAnotherSeedIsRefused) {

@@ -33,7 +33,7 @@ std::string flag_names(const CLI::Option& option) {
     return names;
 }
 
-/// @param left_out a flag that is not listed, beside --help
+/// @param left_out a flag that is not listed, besides --help
 std::string flags_of(const CLI::App& app, bool positional, std::string_view left_out = {}) {
     std::string text;
     for (const CLI::Option* option : app.get_options()) {
@@ -65,7 +65,7 @@ std::string overview(const CLI::App& app) {
         text += fmt::format("  {:12} {}\n", verb->get_name(), verb->get_description());
     }
     text += "\neverywhere\n" + flags_of(app, false);
-    text += "\nsuffuse VERB --help says more; suffuse FILE.toml runs that case\n\n";
+    text += "\nsuffuse VERB --help for details; suffuse FILE.toml runs that case\n\n";
     return text + std::string(exit_codes);
 }
 

@@ -67,10 +67,9 @@ std::string verb_section(const VerbRow& verb) {
 std::string man_page(const std::vector<VerbRow>& table) {
     std::string text = fmt::format(
         ".TH SUFFUSE 1 \"\" \"suffuse {}\" \"User Commands\"\n.SH NAME\nsuffuse \\- internal erosion of soils, grain "
-        "by "
-        "grain, from a grading curve to a report\n.SH SYNOPSIS\n.B suffuse\n\\fIVERB\\fR [\\fIARGUMENT\\fR] "
+        "by grain, from a grading curve to a report\n.SH SYNOPSIS\n.B suffuse\n\\fIVERB\\fR [\\fIARGUMENT\\fR] "
         "[\\fIFLAG\\fR]...\n.br\n.B suffuse\n\\fIFILE\\fR.toml\n.SH DESCRIPTION\nThe second form runs a case. suffuse "
-        "VERB \\-\\-help says the same as this page about one verb.\n.SH FLAGS EVERYWHERE\n",
+        "VERB \\-\\-help shows this page's text for one verb.\n.SH FLAGS EVERYWHERE\n",
         plain(version())
     );
     for (const FlagRow& flag : table.front().flags) {
@@ -83,8 +82,8 @@ std::string man_page(const std::vector<VerbRow>& table) {
         }
     }
     text += fmt::format(".SH EXIT STATUS\n.nf\n{}.fi\n", plain(exit_codes_text()));
-    text += ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nNo colors where it is set.\n"
-            ".SH FILES\n.TP\n\\fIruns/NAME\\-0001/\\fR\nWhat a run leaves: report.html, summary.json, events.jsonl, "
+    text += ".SH ENVIRONMENT\n.TP\n\\fBNO_COLOR\\fR\nDisables colors if set.\n"
+            ".SH FILES\n.TP\n\\fIruns/NAME\\-0001/\\fR\nThe results of a run: report.html, summary.json, events.jsonl, "
             "studies/.\n";
     return text;
 }

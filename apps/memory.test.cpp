@@ -61,7 +61,7 @@ do   = "pack"
     const ProgramResult result =
         wait_for(start({"run", "soil/case.toml", "-o", "run", "--no-cache", "-j", "1"}, {}, bound));
     EXPECT_EQ(result.code, 74) << result.error;
-    expect_in("s, stage cloud: out of memory; suffuse plan CASE tells how much a case needs", result.error);
+    expect_in("s, stage cloud: out of memory; suffuse plan CASE shows how much a case needs", result.error);
     EXPECT_TRUE(std::filesystem::exists(folder / "run/studies/s/cloud/failed.json"));
 }
 

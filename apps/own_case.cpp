@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::string_view case_form =
     R"(# Suffusion of {name}: a sample is packed from its grading, compacted, eroded, and sheared before and after.
-# `#~` marks what was assumed for you; the report lists all of it on its first page. Two of these values are those of your
+# `#~` marks assumed values; the report lists them on its first page. Two of these values are those of your
 # site: the `pressure` on the soil and the `gradient` of the water. {weight_note}
 # What a key means: suffuse explain KEY.
 schema = 1
@@ -52,7 +52,7 @@ psd   = "data/{name}.csv"             # d [mm], passing [%]
 
 [study.erosion]
 soil      = "{name}"
-particles = {standard:<26}#~ cost grows with it; suffuse plan tells how much
+particles = {standard:<26}#~ cost grows with it; suffuse plan shows how much
 
 [[study.erosion.stage]]
 name     = "cloud"
@@ -62,7 +62,7 @@ porosity = 0.65                       #~
 [[study.erosion.stage]]
 name     = "initial"
 do       = "compact"
-pressure = {pressure:<27}{pressure_mark} the effective stress at the depth that you ask about
+pressure = {pressure:<27}{pressure_mark} the effective stress at the depth of interest
 prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser
 measure  = ["void-ratios", "porosity", "permeability"]
 
@@ -71,7 +71,7 @@ name      = "erosion"
 do        = "erode"
 gradient  = {gradient:<26}{gradient_mark} the hydraulic gradient i of the seepage
 direction = {direction}
-passes    = 2                         #~ each takes out what is free to go, then lets the soil settle
+passes    = 2                         #~ each removes the grains that are free to move, then lets the soil settle
 measure   = ["flow", "constrictions", "coordination-of-eroded", "stress", "volumetric-strain", "porosity", "grading"]
 
 [[study.erosion.stage]]               # strength with its fines, and without those that left
@@ -116,7 +116,7 @@ std::string direction_text(const std::optional<FlowWay>& flow) {
                                     : "\"x\"                       # level, across the weight of the fines";
 }
 
-/// The stage that asks which gradient moves the fines; nothing where they have no weight.
+/// The stage that finds which gradient moves the fines; nothing where they have no weight.
 std::string mobility_stage(const OwnConditions& conditions, std::string_view gradient_mark) {
     constexpr double usual_last = 1.2, beyond_specified = 1.5;
     if (!conditions.flow) {
@@ -164,11 +164,11 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
     constexpr std::int64_t standard_over_quick = 4;
     const double pressure = conditions.pressure.value_or(assumed_pressure);
     const double modulus = modulus_for(soil.grading, pressure);
-    const std::string_view few = "#~ as few as will do: a cell of four largest grains, enough fines and coarse ones";
-    const auto mark = [](const std::optional<double>& given) { return given ? "# as asked:" : "#~ yours:"; };
+    const std::string_view few = "#~ as few as possible: a cell of four largest grains, enough fines and coarse grains";
+    const auto mark = [](const std::optional<double>& given) { return given ? "# as specified:" : "#~ yours:"; };
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
-        fmt::arg("quick_mark", soil.is_size_given ? "# as asked" : few),
+        fmt::arg("quick_mark", soil.is_size_given ? "# as specified" : few),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),
@@ -178,7 +178,7 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
         fmt::arg("modulus", '"' + print_quantity(modulus, dimension::pressure) + '"'),
         fmt::arg(
             "stiffer",
-            modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by some 5 %" : ""
+            modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by about 5 %" : ""
         ),
         fmt::arg("sizes", sizes_line(soil)), fmt::arg("weight_note", weight_note(conditions.flow)),
         fmt::arg("gravity", conditions.flow ? gravity_form : std::string_view()),

@@ -47,7 +47,7 @@ struct FinesLimit {
 const char* reason_of(stability::FinesBasis basis) {
     switch (basis) {
     case stability::FinesBasis::Given:
-        return "as asked";
+        return "as specified";
     case stability::FinesBasis::Gap:
         return "the fine end of the gap in the curve";
     case stability::FinesBasis::KenneyLau:
@@ -98,7 +98,7 @@ std::string left_out_of(const Grading& measured, double finest, double coarsest)
     return text;
 }
 
-/// The ends of the measured curve, or those asked for within them.
+/// The ends of the measured curve, or those requested within them.
 SizeRange modeled_sizes(const Grading& measured, const std::optional<SizeRange>& typed_limit, double finer_than) {
     const double finest = grains::size_at(measured, 0), coarsest = grains::size_at(measured, 1);
     if (!typed_limit) {
@@ -149,9 +149,8 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     );
     if (!part) {
         throw CaseError(fmt::format(
-            "{}{}\n  = no cut of its ends helps: the fines are too small beside the coarse grains\n  = what the "
-            "criteria "
-            "of stability say: suffuse assess {}",
+            "{}{}\n  = cutting its ends does not help: the fines are too small compared with the coarse grains\n  = to "
+            "apply the stability criteria: suffuse assess {}",
             found, described, shell_word(path)
         ));
     }
@@ -170,7 +169,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
 OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
     if (measured.passing.front() >= measured.passing.back()) {
-        throw CaseError(fmt::format("{}: nothing lies between its sizes; measure more of the curve", path), path);
+        throw CaseError(fmt::format("{}: there is nothing between its sizes; measure more of the curve", path), path);
     }
     const Grading whole = grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
     const FinesLimit limit = find_limit(measured, spec.finer_than);

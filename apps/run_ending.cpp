@@ -64,9 +64,8 @@ std::string plan_error_text(const plan::PlanError& error) {
 
 std::string plan_errors_in_full(const plan::PlanError& error) {
     return fmt::format(
-        "The whole took {:.0f} % more or less than the middle of its range; {}, in the median, {:.0f} %, and {:.0f} % "
-        "more "
-        "or fewer steps",
+        "The total differed by {:.0f} % from the middle of its range; {}, in the median, by {:.0f} %, and by {:.0f} % "
+        "in steps",
         100 * error.of_all_seconds, plural(error.stages, "stage"), 100 * error.of_seconds, 100 * error.of_steps
     );
 }

@@ -42,8 +42,7 @@ std::string case_in(const std::string& given) {
     }
     if (std::filesystem::exists(folder / "run_options.json", none)) {
         throw UsageError(fmt::format(
-            "{} is the folder of a run: suffuse resume goes on with it, suffuse report writes its page anew",
-            shown(given)
+            "{} is the folder of a run: suffuse resume continues it, suffuse report rewrites its page", shown(given)
         ));
     }
     return file.string();
@@ -58,7 +57,7 @@ casefile::Case load_given_case(const std::string& file, const CaseChanges& chang
 }
 
 void ThreadOption::add_to(Options& options) {
-    options.value("-j,--threads", requested, "threads; all cores unless given. Results do not depend on it")
+    options.value("-j,--threads", requested, "threads; by default all cores. Results do not depend on it")
         .type("N")
         .whole_number(1, 1024);
 }
@@ -69,15 +68,14 @@ void ThreadOption::apply() const {
 }
 
 void CacheOptions::add_to(Options& options) {
-    const Option cache =
-        options
-            .value(
-                "--cache", folder,
-                "folder where stages are kept and found again; suffuse-cache beside the run unless given"
-            )
-            .type("DIR");
-    options.flag("--shared-cache", is_shared, "take stages that other users have put there, too");
-    options.flag("--no-cache", is_off, "compute every stage, and keep none").excludes(cache);
+    const Option cache = options
+                             .value(
+                                 "--cache", folder,
+                                 "folder in which stages are stored for reuse; by default suffuse-cache next to the run"
+                             )
+                             .type("DIR");
+    options.flag("--shared-cache", is_shared, "also use stages stored there by other users");
+    options.flag("--no-cache", is_off, "compute every stage and store none").excludes(cache);
 }
 
 std::filesystem::path CacheOptions::folder_or(const std::filesystem::path& usual) const {
@@ -98,7 +96,7 @@ std::filesystem::path cache_to_go_on(
     }
     if (earlier && !requested.is_requested() && *earlier != std::filesystem::absolute(usual_cache).lexically_normal()) {
         console.talk(fmt::format(
-            "This run was begun with another cache, which its folder cannot choose. To use that one again: --cache {}",
+            "This run began with another cache, and a run folder may not choose one. To use that cache: --cache {}",
             shell_word(shown(*earlier))
         ));
     }
@@ -118,7 +116,7 @@ double time_limit_of(const std::string& text) {
     }
     const double limit = quantity_of(text, dimension::time, "--time-limit", false);
     if (!(limit > 0)) {
-        throw UsageError(fmt::format("--time-limit {} is no time to work in; write one such as 90min", shown(text)));
+        throw UsageError(fmt::format("--time-limit {} leaves no time; write one such as 90min", shown(text)));
     }
     if (limit > longest) {
         throw UsageError(fmt::format("--time-limit {} is more than a hundred years; leave it out for none", shown(text))
@@ -137,7 +135,7 @@ void MemoryOption::add_to(Options& options) {
         .value(
             "--memory", requested,
             fmt::format(
-                "most memory that the run may take, as in 16GB; {:.0f} % of the machine's unless given",
+                "maximum memory of the run, as in 16GB; by default {:.0f} % of the machine's",
                 100 * plan::usual_memory_share
             )
         )
@@ -187,7 +185,8 @@ io::PackingFormat PackingOutput::chosen_format() const {
     }
     if (format.empty()) {
         throw UsageError(fmt::format(
-            "{} does not say its format by its ending; give --format, one of {}", shown(file), fmt::join(names, ", ")
+            "the ending of {} does not determine the format; give --format, one of {}", shown(file),
+            fmt::join(names, ", ")
         ));
     }
     throw UsageError(fmt::format(

@@ -12,7 +12,7 @@ std::vector<std::string> shortages(const plan::RunPlan& plan, const std::filesys
     const auto space = std::filesystem::space(folder, error);
     if (!error && plan.disk > static_cast<double>(space.available)) {
         found.push_back(fmt::format(
-            "the run leaves about {} and the disk there has {} free: drop \"csv\" from [output] formats, or run "
+            "the run will write about {}, and the disk has {} free: drop \"csv\" from [output] formats, or run "
             "elsewhere",
             size_text(plan.disk), size_text(static_cast<double>(space.available))
         ));

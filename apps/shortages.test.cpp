@@ -12,7 +12,7 @@ TEST(Shortages, OfDiskAreReportedBeforeARunIsStarted) {
     EXPECT_TRUE(shortages(plan, ".").empty());
     plan.disk = 1e24;
     ASSERT_EQ(shortages(plan, ".").size(), 1U);
-    EXPECT_NE(shortages(plan, ".").back().find("the disk there has"), std::string::npos);
+    EXPECT_NE(shortages(plan, ".").back().find("and the disk has"), std::string::npos);
 }
 
 } // namespace

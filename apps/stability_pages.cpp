@@ -66,7 +66,7 @@ fs::path write_soil_page(
     )};
     data.opening.confidence = "Grading only";
     data.opening.about_confidence =
-        "Criteria know nothing of density, stress or flow. A simulation tells which grains are free to go.";
+        "The criteria ignore density, stress and flow. A simulation shows which grains are free to move.";
     if (spec.seepage) {
         data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
     }

@@ -24,7 +24,7 @@ extern "C" void on_signal(int signal) {
     }
     stop = true; // after the signal: who sees the flag knows which it was
     constexpr std::string_view text =
-        "\nstopping; what is needed to go on is saved first (a second Ctrl-C quits at once, without saving)\n";
+        "\nstopping; the state is saved first (a second Ctrl-C quits at once, without saving)\n";
     const int error = errno; // of what the signal came between
     if (takes_words(STDERR_FILENO)) {
         [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());

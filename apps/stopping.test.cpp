@@ -208,7 +208,7 @@ TEST_F(Stopping, BatchSystemsMayGiveSignalsAsOftenAsTheyLike) {
         std::filesystem::remove_all(folder / "cut");
         HeldRun run = start_run();
         kill(run.child, course.signals.front());
-        wait_until("the first signal is heeded", [&] {
+        wait_until("the first signal is handled", [&] {
             return read_all(folder / "error").find("stopping;") != std::string::npos;
         });
         for (std::size_t k = 1; k < course.signals.size(); ++k) {
@@ -235,7 +235,7 @@ TEST_F(Stopping, ARunThatNobodyListensToEndsAsAnyOther) {
     for (const bool json : {false, true}) {
         TestPipe pipe;
         pipe.close_end(0);
-        std::vector<std::string> words = {"run", "soil/case.toml", "-o", json ? "told" : "quiet"};
+        std::vector<std::string> words = {"run", "soil/case.toml", "-o", json ? "json" : "quiet"};
         if (json) {
             words.emplace_back("--json");
         }

@@ -61,12 +61,13 @@ Complaint current_complaint(bool color) {
     } catch (const std::bad_alloc&) {
         return {
             InputOutput, "memory",
-            "out of memory; suffuse plan CASE tells how much a case needs, and --memory how much a run may take"};
+            "out of memory; suffuse plan CASE shows how much a case needs, --memory limits what a run may use"};
     } catch (const std::exception& error) {
         return {OurDefect, "defect", error.what()};
     } catch (...) {
         return {
-            OurDefect, "defect", "something was thrown that is no exception (a defect of suffuse, please report it)"};
+            OurDefect, "defect",
+            "something other than an exception was thrown (a defect of suffuse, please report it)"};
     }
 }
 

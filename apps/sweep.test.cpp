@@ -107,7 +107,7 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
 
 TEST_F(SweepVerb, ARunThatEndsWithAStageIsRefinedByTheCurvesItHasAndAsFar) {
     ASSERT_EQ(suffuse("run case.toml -o run --until cloud --no-cache"), 0) << output();
-    EXPECT_EQ(hashes("run").size(), 3U) << "the curve that asks for more is of the next stage";
+    EXPECT_EQ(hashes("run").size(), 3U) << "the curve that requires more is of the next stage";
     ASSERT_EQ(suffuse("resume run --until moved"), 0) << output();
     EXPECT_EQ(hashes("run").size(), 2U * 4);
     EXPECT_TRUE(std::filesystem::exists(folder / "run/refinement.json"));

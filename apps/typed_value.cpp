@@ -51,7 +51,7 @@ Mat3 cell_of(const std::string& text) {
         }
     } else {
         throw UsageError(
-            fmt::format("--cell {} has {} numbers; it wants 3 edges, or 9 numbers", shown(text), values.size())
+            fmt::format("--cell {} has {} numbers; expected 3 edges or 9 numbers", shown(text), values.size())
         );
     }
     if (!(determinant(h) > 0) || !std::isfinite(determinant(h))) {

@@ -1,4 +1,4 @@
-// assess: internal stability of a soil from its grading, without simulation.
+// assess: assess the internal stability of a soil from its grading, without simulation.
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
@@ -45,7 +45,7 @@ bool is_folder(const std::string& file) {
 struct AssessVerb final : Verb {
     AssessVerb()
         : Verb(
-              "assess", "internal stability of a soil from its grading, without simulation",
+              "assess", "assess the internal stability of a soil from its grading, without simulation",
               "suffuse assess dyke.csv --fines 0.2mm -i 0.3 -o dyke-stability\nsuffuse assess borehole-*.csv"
           ) {}
 
@@ -69,7 +69,7 @@ struct AssessVerb final : Verb {
                                             "of its samples"
             )
             .required();
-        options.value("--sample", sample, "of a table of several samples this one alone").type("NAME");
+        options.value("--sample", sample, "only this sample of a table with several").type("NAME");
         options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
         options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
@@ -85,9 +85,10 @@ struct AssessVerb final : Verb {
         options.value("--alpha", stress_share, "with -i: mean effective stress in the fines over that of the soil")
             .type("A")
             .ratio(0, 1);
-        options.value("--alpha-from", alpha_from, "folder of a run: its samples say alpha, porosity and density")
+        options
+            .value("--alpha-from", alpha_from, "folder of a run: alpha, porosity and density are those of its samples")
             .type("RUN");
-        options.flag("--coarse-fabric", has_coarse_fabric, "D60/D10 of the coarse part decides how far to look at F");
+        options.flag("--coarse-fabric", has_coarse_fabric, "D60/D10 of the coarse part decides up to which F");
         options
             .value(
                 "-o,--output", output,
@@ -103,10 +104,10 @@ struct AssessVerb final : Verb {
     [[nodiscard]] std::string next_step(std::size_t soils) const {
         if (soils > 1) {
             return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
-                                  : "suffuse assess FILE tells one of them in full";
+                                  : "suffuse assess FILE shows one of them in full";
         }
         return fmt::format(
-            "a simulation tells how many grains are free to go: suffuse {} {}{}",
+            "to find how many grains are free to move, simulate: suffuse {} {}{}",
             files.front().ends_with(".toml") || is_folder(files.front()) ? "run" : "new --psd",
             shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample)
         );
@@ -213,7 +214,7 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<MeasuredSoil>& verb)
     return soils;
 }
 
-/// Sets another soil beside all of them.
+/// Judges another soil as a filter of all of them.
 void add_filter(const std::string& file, const Console& console, std::vector<job::AssessedSoil>& soils) {
     const gradings::GradingFile read = read_one_grading(file, "");
     print_remarks(read, console);
@@ -236,7 +237,7 @@ bool names_picture(const fs::path& output) {
     return output.extension() == ".pdf" || output.extension() == ".svg" || output.extension() == ".png";
 }
 
-/// Where the page of `--page` goes: as asked, or beside the file that it shows.
+/// Where the page of `--page` goes: as specified, or next to the file that it shows.
 fs::path page_file(const AssessVerb& verb) {
     if (!verb.output.empty()) {
         const fs::path given = verb.output;

@@ -67,7 +67,7 @@ struct BenchVerb final : Verb {
     }
 
     void add_common_to(Options& options) {
-        options.value("--packing", packing, "a packing of yours; 10,000 grains of a sand are made unless given")
+        options.value("--packing", packing, "your own packing; by default 10,000 grains of a sand are generated")
             .type("FILE");
         cell.add_to(options);
         threads.add_to(options);
@@ -77,9 +77,7 @@ struct BenchVerb final : Verb {
 
     void check() const override {
         if (what.empty()) {
-            throw UsageError(
-                "bench what? suffuse bench step, bench flow or bench scaling; suffuse bench --help says more"
-            );
+            throw UsageError("bench what? suffuse bench step, bench flow or bench scaling; see suffuse bench --help");
         }
         if (packing.empty() && cell.matrix()) {
             throw UsageError("--cell is that of a --packing; the packing that is made has its own");

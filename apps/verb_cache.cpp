@@ -23,10 +23,7 @@ namespace {
 
 struct CacheVerb final : Verb {
     CacheVerb()
-        : Verb(
-              "cache", "what the cache of stages holds; limit or empty it",
-              "suffuse cache runs/suffuse-cache --limit 50"
-          ) {}
+        : Verb("cache", "show the cache of stages; limit or empty it", "suffuse cache runs/suffuse-cache --limit 50") {}
 
     std::string given;
     std::optional<double> new_limit; ///< [GB]
@@ -34,11 +31,10 @@ struct CacheVerb final : Verb {
 
     void add_to(Options& options) override {
         options.argument("DIR", given, "folder of the cache; runs/suffuse-cache unless given");
-        const Option limit =
-            options.value("--limit", new_limit, "most that it may hold from now on, in GB; 10 at first")
-                .type("GB")
-                .not_negative();
-        options.flag("--clear", clears, "drop all that it holds").excludes(limit);
+        const Option limit = options.value("--limit", new_limit, "maximum size from now on, in GB; initially 10")
+                                 .type("GB")
+                                 .not_negative();
+        options.flag("--clear", clears, "empty the cache").excludes(limit);
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -49,15 +45,14 @@ int CacheVerb::act(const CommandLine&, const Console& console) const {
     const std::filesystem::path folder = given.empty() ? job::cache_next_to("runs/any") : std::filesystem::path(given);
     if (!std::filesystem::is_directory(folder)) {
         throw UsageError(fmt::format(
-            "{} is no folder; a run makes its cache beside its own folder, and suffuse run --cache DIR in DIR",
+            "{} is not a folder; a run creates its cache next to its own folder, suffuse run --cache DIR in DIR",
             shown(folder.string())
         ));
     }
     record::StageCache cache(folder, record::Owners::Anybody);
     if (!cache.is_one()) {
         throw UsageError(fmt::format(
-            "{} is no cache: it holds files, and no cache.json of suffuse; give the folder that runs name as their "
-            "cache",
+            "{} is not a cache: it holds files but no cache.json of suffuse; give the cache folder named by a run",
             shown(folder.string())
         ));
     }

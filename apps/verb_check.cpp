@@ -20,7 +20,7 @@ namespace suffuse::apps {
 namespace {
 
 struct CheckVerb final : Verb {
-    CheckVerb() : Verb("check", "read a case and tell all that is wrong with it", "suffuse check my-dyke/case.toml") {}
+    CheckVerb() : Verb("check", "check a case and list all errors in it", "suffuse check my-dyke/case.toml") {}
 
     std::string given; ///< a case, or the folder that holds one
     CaseChanges changes;

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 struct CompareVerb final : Verb {
     CompareVerb()
         : Verb(
-              "compare", "what differs between two runs, or from the paper's findings",
+              "compare", "show the differences between two runs, or from the paper's findings",
               "suffuse compare runs/dyke-0001 runs/dyke-0002 --tolerance 1%"
           ) {}
 
@@ -45,9 +45,9 @@ struct CompareVerb final : Verb {
     void add_to(Options& options) override {
         options.argument("DIR", first, folder_text).required();
         options.argument("OTHER", second, "the folder of another run");
-        options.value("--tolerance", tolerance, "up to which two numbers count as the same, as in 1%; 0 unless given")
+        options.value("--tolerance", tolerance, "up to which two numbers count as equal, as in 1%; by default 0")
             .type("SHARE");
-        options.flag("--paper", with_paper, "with what the paper found, instead of another run");
+        options.flag("--paper", with_paper, "with the paper's findings, instead of another run");
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -55,7 +55,7 @@ struct CompareVerb final : Verb {
 
 constexpr std::ptrdiff_t most_shown = 20; // without --verbose
 
-/// The number with as many digits as tell the two apart, and two more.
+/// The number with as many digits as distinguish the two, and two more.
 std::string distinct_digits(const std::string& number, double relative) {
     const double digits = 2 + std::ceil(-std::log10(std::min(relative, 1.0)));
     return fmt::format(
@@ -85,7 +85,7 @@ const char* heading_of(record::Relevance about) {
     case record::Relevance::Computation:
         break;
     }
-    return "how it was computed, which is no result:";
+    return "how it was computed (not a result):";
 }
 
 std::string table_of(const std::vector<record::Difference>& differences, bool all) {
@@ -145,8 +145,8 @@ std::string nothing_shared(const CompareVerb& verb, const record::Comparison& fo
         );
     };
     return fmt::format(
-        "nothing to compare: no stage, by its study, sample and name, is in both\n{}\n{}\nstages are "
-        "compared that have one name in both runs, as runs of one case have with other values (--set)",
+        "nothing to compare: no stage of the same study, sample and name is in both\n{}\n{}\nstages are compared by "
+        "name, as in runs of one case with other values (--set)",
         list(verb.first, found.only_first), list(verb.second, found.only_second)
     );
 }
@@ -196,7 +196,7 @@ int print_findings(const nlohmann::json& findings, const Console& console) {
         console.result(finding_text(finding));
     }
     if (findings.empty()) {
-        console.result("the run holds nothing that the paper found something about");
+        console.result("the run has no results that the paper has findings about");
     }
     console.document(json_text({{"findings", findings}}));
     return all_met ? Done : Differs;
@@ -205,7 +205,8 @@ int print_findings(const nlohmann::json& findings, const Console& console) {
 int compare_with_paper(const CompareVerb& verb, const Console& console) {
     const fs::path summary = fs::path(verb.first) / "summary.json";
     if (!fs::exists(summary)) {
-        throw IoError(fmt::format("{}: has no summary.json: the run has not ended; suffuse resume goes on", verb.first)
+        throw IoError(
+            fmt::format("{}: has no summary.json: the run has not ended; continue it with suffuse resume", verb.first)
         );
     }
     record::require_same_result(verb.first, "summary.json");

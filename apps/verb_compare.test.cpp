@@ -67,8 +67,8 @@ TEST_F(Compare, WhetherAndHowMuchRunsDifferComesFirstAndResultsComeBeforeNoise) 
     };
     EXPECT_LT(place("case - "), place("results of stages:"));
     EXPECT_LT(place("replay/settled: mean_stress"), place("numbers behind figures:"));
-    EXPECT_LT(place("numbers behind figures:"), place("how it was computed, which is no result:"));
-    const std::size_t noise = place("how it was computed, which is no result:");
+    EXPECT_LT(place("numbers behind figures:"), place("how it was computed (not a result):"));
+    const std::size_t noise = place("how it was computed (not a result):");
     for (const char* const what : {"state_hash", "unbalanced_force", "force_sum[1]", "force_sum_error", "residual"}) {
         EXPECT_GT(place(what), noise) << what;
     }
@@ -137,7 +137,7 @@ TEST_F(Compare, RunsWithoutACommonStageAreReportedWithTheStagesOfEach) {
     ASSERT_EQ(run("second", {"--until", "settled"}).code, 0);
     const ProgramResult result = run_suffuse({"compare", "first", "second"});
     EXPECT_EQ(result.code, 5);
-    expect_in("nothing to compare: no stage, by its study, sample and name, is in both", result.out);
+    expect_in("nothing to compare: no stage of the same study, sample and name is in both", result.out);
     expect_in("first has replay/compressed, ", result.out);
     expect_in("second has second/settled, second/start", result.out);
     EXPECT_EQ(result.out.find("case - "), std::string::npos);
@@ -155,7 +155,7 @@ TEST_F(Compare, WithThePaperEachFindingIsJudged) {
     summary["findings"][0].update({{"id", "M1"}, {"met", true}});
     summary["findings"][1].update({{"id", "M2"}, {"met", nullptr}});
     write_to(folder / "first/summary.json", summary.dump());
-    EXPECT_EQ(run_suffuse({"compare", "first", "--paper"}).code, 0) << "what cannot be told is no difference";
+    EXPECT_EQ(run_suffuse({"compare", "first", "--paper"}).code, 0) << "what is undecided is no difference";
     summary["findings"][1].update(
         {{"met", false},
          {"verdict", "not met by our number"},
@@ -220,7 +220,7 @@ TEST_F(Compare, AStateThatIsNotTheRecordedOneIsFound) {
     ASSERT_EQ(run_suffuse({"report", "first"}).code, 0);
     const ProgramResult result = run_suffuse({"verify", "first"});
     EXPECT_EQ(result.code, 5);
-    expect_in(file + " tells the state 0123456789abcdef, and state.h5 holds", result.out);
+    expect_in(file + " records the state 0123456789abcdef, but state.h5 holds", result.out);
 }
 
 TEST_F(Compare, AnInterruptedRunIsReportedWithItsMissingStages) {
@@ -231,7 +231,7 @@ TEST_F(Compare, AnInterruptedRunIsReportedWithItsMissingStages) {
     std::filesystem::remove(folder / "first/studies/replay/seep/stage.json");
     const ProgramResult result = run_suffuse({"verify", "first"});
     EXPECT_EQ(result.code, 74);
-    expect_in("1 of 4 stages are missing: replay/seep; suffuse resume first goes on", result.error);
+    expect_in("1 of 4 stages are missing: replay/seep; suffuse resume first continues it", result.error);
 
     ASSERT_EQ(run_suffuse({"report", "first"}).code, 0);
     expect_in(
@@ -241,7 +241,7 @@ TEST_F(Compare, AnInterruptedRunIsReportedWithItsMissingStages) {
     const ProgramResult partial = run_suffuse({"verify", "first"});
     EXPECT_EQ(partial.code, 5);
     expect_in("unchanged, but not complete", partial.out);
-    expect_in("suffuse resume first goes on", partial.out);
+    expect_in("continue with suffuse resume first", partial.out);
 
     ASSERT_EQ(run_suffuse({"resume", "first"}).code, 0);
     EXPECT_EQ(read_all(folder / "first/report.html").find("not complete"), std::string::npos);

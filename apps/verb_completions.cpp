@@ -1,4 +1,4 @@
-// completions: a script by which a shell completes verbs and flags.
+// completions: print a script with which a shell completes verbs and flags.
 
 #include "apps/completions.hpp"
 #include "apps/verb.hpp"
@@ -11,7 +11,7 @@ namespace {
 struct CompletionsVerb final : Verb {
     CompletionsVerb()
         : Verb(
-              "completions", "a script by which a shell completes verbs and flags",
+              "completions", "print a script with which a shell completes verbs and flags",
               "suffuse completions bash > ~/.local/share/bash-completion/completions/suffuse"
           ) {}
 

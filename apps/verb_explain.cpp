@@ -15,8 +15,7 @@ struct ExplainVerb final : Verb {
     ExplainVerb()
         : Verb(
               "explain",
-              "one screen on a key, a table, a verb of a stage, a code, a figure, a finding, a criterion, or the "
-              "conventions",
+              "explain a key, a table, a verb of a stage, a code, a figure, a finding, a criterion, or the conventions",
               "suffuse explain fines_content"
           ) {}
 

@@ -47,7 +47,7 @@ struct FiguresVerb final : Verb {
             .one_of({"svg", "png", "pdf"});
         options.values("--figure", figures, "only these, as in 9 or 9,10,own-rules; may be repeated").type("N");
         options.value("--width", width, "of each figure, as in 85mm; its own width unless given").type("LENGTH");
-        options.value("--font", font, "of all words, as the manuscript has it; the report's unless given").type("NAME");
+        options.value("--font", font, "font family of the manuscript; by default that of the report").type("NAME");
         options.value("-o,--output", output, "folder for the files; the run's figures/ unless given").type("DIR");
     }
 

@@ -29,7 +29,7 @@ namespace {
 struct ImportVerb final : Verb {
     ImportVerb()
         : Verb(
-              "import", "look at a packing from elsewhere, and write it in another format",
+              "import", "check a packing of another program, or convert it to another format",
               "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.xyz"
           ) {}
 

@@ -48,7 +48,7 @@ std::vector<std::string> template_names() {
 struct NewVerb final : Verb {
     NewVerb()
         : Verb(
-              "new", "write a commented case and its data to start from",
+              "new", "write a commented case and its data as a starting point",
               "suffuse new my-dyke --psd dyke.csv --flow up -i 12m/30m"
           ) {}
 
@@ -66,10 +66,9 @@ struct NewVerb final : Verb {
         options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
         const Option example =
             options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
-        const Option curve = options.value("--psd", psd, std::string("of a soil of yours ") + grading_text)
-                                 .type("FILE")
-                                 .excludes(example);
-        options.value("--sample", sample, "with --psd: of a table of several samples this one")
+        const Option curve =
+            options.value("--psd", psd, std::string("of your own soil ") + grading_text).type("FILE").excludes(example);
+        options.value("--sample", sample, "with --psd: only this sample of a table with several")
             .type("NAME")
             .needs(curve);
         options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
@@ -81,8 +80,7 @@ struct NewVerb final : Verb {
             )
             .type("D")
             .needs(curve);
-        options
-            .value("--particles", particles, "with --psd: grains of the preset quick; as few as will do unless given")
+        options.value("--particles", particles, "with --psd: grains of the preset quick; by default as few as possible")
             .type("N")
             .whole_number(1, 10'000'000)
             .needs(curve);
@@ -100,8 +98,8 @@ struct NewVerb final : Verb {
         options
             .value(
                 "--flow", flow,
-                "with --psd: up, down or level; the fines then have weight, and the report says "
-                "which gradient moves them"
+                "with --psd: up, down or level; the fines then have weight, and the report gives the gradient that "
+                "moves them"
             )
             .type("WAY")
             .one_of({"up", "down", "level"})
@@ -121,7 +119,7 @@ std::vector<std::string> write_new(const std::vector<NewFile>& files) {
     for (const NewFile& file : files) {
         if (fs::exists(file.path)) {
             throw UsageError(fmt::format(
-                "{} exists; give another folder, so that nothing of yours is overwritten", shown(file.path.string())
+                "{} exists; give another folder, so that none of your files are overwritten", shown(file.path.string())
             ));
         }
     }
@@ -167,7 +165,9 @@ std::optional<SizeRange> sizes_of(const std::string& text) {
     }
     const std::size_t comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
-        throw UsageError(fmt::format("--sizes {}: it wants the finest and the coarsest size, 0.1mm,4mm", shown(text)));
+        throw UsageError(
+            fmt::format("--sizes {}: expected the finest and the coarsest size, as in 0.1mm,4mm", shown(text))
+        );
     }
     const auto size = [](const std::string& word) { return quantity_of(word, dimension::length, "--sizes", false); };
     const SizeRange range{size(text.substr(0, comma)), size(text.substr(comma + 1))};
@@ -240,7 +240,7 @@ void print_assumed(const OwnConditions& conditions, const fs::path& path, const 
     }
     if (!assumed.empty()) {
         console.talk(fmt::format(
-            "{} {} assumed: put yours into {}", fmt::join(assumed, " and "), assumed.size() > 1 ? "are" : "is",
+            "{} {} assumed: enter your own in {}", fmt::join(assumed, " and "), assumed.size() > 1 ? "are" : "is",
             shown(path.string())
         ));
     }
@@ -297,7 +297,7 @@ int new_from_soil(const NewVerb& verb, const Console& console) {
 int NewVerb::act(const CommandLine&, const Console& console) const {
     if (from.empty() == psd.empty()) {
         throw UsageError(fmt::format(
-            "new: --psd FILE for a soil of yours, from its grading curve; or --from NAME for an example: {}",
+            "new: --psd FILE for your own soil, from its grading curve; or --from NAME for an example: {}",
             fmt::join(template_names(), ", ")
         ));
     }

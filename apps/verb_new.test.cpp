@@ -103,7 +103,7 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     const std::size_t at = text.find("--sizes ") + 8;
     const std::string sizes = text.substr(at, text.find(' ', at) - at);
     expect_in("it takes more than 300,000,000 grains", text);
-    expect_in("--sizes " + sizes + " added to the command keeps ", text); // with all else that was asked for
+    expect_in("--sizes " + sizes + " added to the command keeps ", text); // with all else that was requested
     EXPECT_FALSE(std::filesystem::exists(folder / "gravel"));
     const ProgramResult made = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", sizes});
     ASSERT_EQ(made.code, 0) << made.error;
@@ -112,7 +112,7 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     expect_in("#~ without the ", read_all(folder / "gravel/case.toml"));
     EXPECT_EQ(run_suffuse({"check", "gravel/case.toml"}).code, 0);
     write_to(folder / "far.csv", "d,passing\n0.002,0\n0.004,30\n10,30\n20,100\n");
-    expect_in("= no cut of its ends helps", run_suffuse({"new", "--psd", "far.csv"}).error);
+    expect_in("= cutting its ends does not help", run_suffuse({"new", "--psd", "far.csv"}).error);
 }
 
 TEST_F(NewSoil, TheVerdictsThatACutChangesAreListedAndTheWholeCurveStaysWithTheCase) {
@@ -139,8 +139,8 @@ TEST_F(NewSoil, PressureAndGradientCanBeGivenAndAreThenNotAssumed) {
     EXPECT_EQ(made.json().at("gradient"), 0.4);
     EXPECT_EQ(made.error.find("assumed"), std::string::npos) << made.error;
     const std::string text = read_all(folder / "gap/case.toml");
-    expect_in("pressure = \"300 kPa\"                  # as asked: the effective stress", text);
-    expect_in("gradient  = 0.4                       # as asked: the hydraulic gradient", text);
+    expect_in("pressure = \"300 kPa\"                  # as specified: the effective stress", text);
+    expect_in("gradient  = 0.4                       # as specified: the hydraulic gradient", text);
     EXPECT_EQ(run_suffuse({"check", "gap/case.toml", "--json"}).code, 0);
     ASSERT_EQ(run_suffuse({"new", "soft", "--psd", "gap.csv", "-i", "0.4"}).code, 0);
     const auto modulus = [&](const std::string& name) {
@@ -160,7 +160,7 @@ TEST_F(NewSoil, TheNumberOfGrainsCanBeSpecified) {
     const ProgramResult made = run_suffuse({"new", "--psd", "gap.csv", "--particles", "23456", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
     EXPECT_EQ(made.json().at("particles"), 23456);
-    expect_in("particles       = 23456               # as asked\n", read_all(folder / "gap/case.toml"));
+    expect_in("particles       = 23456               # as specified\n", read_all(folder / "gap/case.toml"));
     EXPECT_EQ(run_suffuse({"plan", "gap/case.toml", "--json"}).json().at("stages").at(0).at("grains"), 23456);
     const ProgramResult few = run_suffuse({"new", "few", "--psd", "gap.csv", "--particles", "300"});
     EXPECT_EQ(few.code, 3);
@@ -170,7 +170,7 @@ TEST_F(NewSoil, TheNumberOfGrainsCanBeSpecified) {
         << "the advice is for as many";
 }
 
-// A wide grading gets stiffer contacts, and so shorter steps: more than the number of grains tells.
+// A wide grading gets stiffer contacts, and so shorter steps: more than the number of grains suggests.
 TEST_F(NewSoil, TheReportedPriceIsThatOfThePlan) {
     const ProgramResult made = run_suffuse({"new", "--psd", "gap.csv", "--json"});
     ASSERT_EQ(made.code, 0) << made.error;
@@ -214,7 +214,7 @@ TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrTheSpecifiedOnes)
         run_suffuse({"new", "mine", "--psd", "open.csv", "--fines", "0.2mm", "--particles", "1000000", "--json"});
     ASSERT_EQ(explained.code, 0) << explained.error;
     EXPECT_EQ(explained.json().at("finer_than"), 0.2e-3);
-    EXPECT_EQ(explained.json().at("reason"), "as asked");
+    EXPECT_EQ(explained.json().at("reason"), "as specified");
     expect_in("finer_than = \"0.2 mm\"", read_all(folder / "mine/case.toml"));
     const ProgramResult beyond = run_suffuse({"new", "none", "--psd", "open.csv", "--fines", "30mm"});
     EXPECT_EQ(beyond.code, 3);

@@ -56,7 +56,7 @@ int OpenVerb::act(const CommandLine&, const Console& console) const {
     const bool is_shown = show(path);
     console.result(path);
     if (!is_shown) {
-        console.talk("no browser could be opened from here (xdg-open): open this file in one");
+        console.talk("no browser could be opened (xdg-open): open this file in one");
     }
     console.document(json_text({{"page", path}, {"shown", is_shown}}));
     return Done;

@@ -24,7 +24,7 @@ TEST_F(Cli, CheckReadsThePackingsOfACase) {
     EXPECT_EQ(checked("cell = [\"1 mm\", \"1 mm\", \"0.3 mm\"]\n").code, 3); // they overlap through the boundary
     const ProgramResult wide = checked("cell = [\"1 m\", \"1 m\", \"1 m\"]\n");
     EXPECT_EQ(wide.code, 0);
-    expect_in("cell and unit say which lengths are meant", wide.error);
+    expect_in("check the cell and the unit of lengths", wide.error);
 }
 
 TEST_F(Cli, PackingsTravel) {

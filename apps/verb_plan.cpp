@@ -35,7 +35,7 @@ namespace {
 struct PlanVerb final : Verb {
     PlanVerb()
         : Verb(
-              "plan", "what a case would cost: steps, time, memory, disk",
+              "plan", "show what a case costs: steps, time, memory, disk",
               "suffuse plan my-dyke/case.toml --preset paper"
           ) {}
 
@@ -183,7 +183,7 @@ nlohmann::json rows_json(const std::vector<SampleRow>& rows) {
     return list;
 }
 
-/// What a plan cannot know yet: samples that the results will ask for.
+/// What a plan cannot know yet: samples that the results will require.
 void print_refinements(const casefile::Case& what, const plan::RunPlan& plan, const Console& console) {
     for (const casefile::Study& study : what.studies) {
         if (!study.refine) {
@@ -202,7 +202,7 @@ void print_refinements(const casefile::Case& what, const plan::RunPlan& plan, co
     }
 }
 
-/// As `run` would plan it. What it would refuse is planned all the same, and told.
+/// As `run` would plan it. What it would refuse is planned all the same, and reported.
 plan::RunPlan plan_within_or_report(
     double bytes, int at_once, std::vector<std::string>& warnings, const std::function<plan::RunPlan(int)>& make
 ) {
@@ -256,7 +256,7 @@ int PlanVerb::act(const CommandLine&, const Console& console) const {
     }
     print_refinements(what, plan, console);
     if (cached > 0) {
-        console.talk(fmt::format("{} are in {}: they take no time", plural(cached, "stage"), folder.string()));
+        console.talk(fmt::format("{} are in {} and take no time", plural(cached, "stage"), folder.string()));
     }
     nlohmann::json json = plan;
     json["samples"] = rows_json(rows);

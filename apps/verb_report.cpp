@@ -29,7 +29,7 @@ struct ReportVerb final : Verb {
 
     void add_to(Options& options) override {
         options.argument("DIR", run, folder_text).required();
-        options.flag("--pdf", prints, "print it too, to report.pdf beside it; needs Chromium");
+        options.flag("--pdf", prints, "also print it, to report.pdf next to it; needs Chromium");
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;

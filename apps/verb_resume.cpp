@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 struct ResumeVerb final : Verb {
     ResumeVerb()
         : Verb(
-              "resume", "go on with a run that was stopped, to the same bits",
+              "resume", "continue a stopped run, with bit-identical results",
               "suffuse resume runs/dyke-0001 --time-limit 2h"
           ) {}
 
@@ -50,16 +50,19 @@ struct ResumeVerb final : Verb {
         options.argument("DIR", folder, folder_text).required();
         threads.add_to(options);
         cache.add_to(options);
-        options.flag("--trust", is_trusted, "keep stages where run_options.json of the run says; for runs of your own");
+        options.flag(
+            "--trust", is_trusted, "use the cache named in run_options.json of the run; only for runs of your own"
+        );
         limits.add_to(options);
         memory.add_to(options);
-        options.value("--sample", sample, "this sample alone, beside others; as in fines/fc=20/rep=1").type("NAME");
+        options.value("--sample", sample, "only this sample, while others run elsewhere; as in fines/fc=20/rep=1")
+            .type("NAME");
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
-/// Folder of the sample that is asked for alone. @throws UsageError where there is no such sample.
+/// Folder of the only sample that is requested. @throws UsageError where there is no such sample.
 std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path& folder, const std::string& name) {
     if (name.empty()) {
         return std::nullopt;

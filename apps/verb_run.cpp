@@ -116,7 +116,7 @@ int RunVerb::act(const CommandLine& line, const Console& console) const {
             hints.push_back(std::move(larger));
         }
         if (!job.what.paper.empty()) { // an example
-            hints.emplace_back("a soil of yours, suffuse new --psd FILE");
+            hints.emplace_back("your own soil, suffuse new --psd FILE");
         }
         if (!hints.empty()) {
             console.talk(fmt::format("next: {}", fmt::join(hints, "; ")));

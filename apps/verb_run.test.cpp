@@ -60,14 +60,14 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     EXPECT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "mine/notes.txt"}).code, 2);
     const ProgramResult first = run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "start"});
     ASSERT_EQ(first.code, 0) << first.error;
-    expect_in("plan  1 study, 1 stage,", first.error); // what is asked for
+    expect_in("plan  1 study, 1 stage,", first.error); // what is requested
     EXPECT_FALSE(std::filesystem::exists(folder / "here/studies/replay/seep"));
     const nlohmann::json early = nlohmann::json::parse(read_all(folder / "here/summary.json"));
     EXPECT_EQ(early.at("until"), "start");
     EXPECT_EQ(early.at("samples").at("done"), 1);
     const std::string page = read_all(folder / "here/report.html");
-    EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos) << "it was asked to end there";
-    expect_in("The run ended with stage start, as asked", page);
+    EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos) << "it was requested to end there";
+    expect_in("The run ended with stage start, as requested", page);
     EXPECT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
     EXPECT_TRUE(nlohmann::json::parse(read_all(folder / "here/summary.json")).at("until").is_null());
     EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));
@@ -101,7 +101,7 @@ TEST_F(Cli, ARunOfAnEarlierVersionWithAMeasureThatIsNoneNowSaysHowToGoOn) {
     const ProgramResult refused = run_suffuse({"resume", "here"});
     EXPECT_EQ(refused.code, 3);
     expect_in("E407", refused.error);
-    expect_in("take the word out of here/case.resolved.toml and call again", refused.error);
+    expect_in("remove the word from here/case.resolved.toml and call again", refused.error);
     write_to(resolved, now);
     EXPECT_EQ(run_suffuse({"resume", "here"}).code, 0);
 }
@@ -247,7 +247,7 @@ TEST_F(Cli, ASucceededRunStaysOneWhateverItsCaseHasBecomeMeanwhile) {
     const ProgramResult result = run_suffuse({"run", "case.toml", "-o", "here", "--json"});
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_EQ(result.json().at("outcome"), "done"); // one document
-    expect_in("next: a soil of yours", result.error);
+    expect_in("next: your own soil", result.error);
 }
 
 } // namespace

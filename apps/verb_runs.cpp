@@ -18,7 +18,7 @@ namespace {
 
 struct RunsVerb final : Verb {
     RunsVerb()
-        : Verb("runs", "all runs of a folder, how far each came and what it found", "suffuse runs --sort time") {}
+        : Verb("runs", "list the runs of a folder, how far each got and its result", "suffuse runs --sort time") {}
 
     std::string folder;
     std::string order = "finished";
@@ -54,7 +54,7 @@ int RunsVerb::act(const CommandLine&, const Console& console) const {
         console.talk(fmt::format("{} in {}", plural(std::ssize(runs), "run"), within.string()));
         if (runs.size() > 1) {
             console.talk(fmt::format(
-                "suffuse compare {0}/{1} {0}/{2} lays two side by side", within.string(), runs[0].name, runs[1].name
+                "to compare two: suffuse compare {0}/{1} {0}/{2}", within.string(), runs[0].name, runs[1].name
             ));
         }
     }

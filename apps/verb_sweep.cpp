@@ -122,7 +122,7 @@ fs::path prepare_folder(const SweepVerb& verb, const Console& console, casefile:
         const fs::path folder = verb.subject;
         if (!fs::exists(folder / record::resolved_case_file)) {
             throw UsageError(fmt::format(
-                "{} holds no run; give a case file, or the folder that suffuse run has named", shown(verb.subject)
+                "{} holds no run; give a case file, or the folder that suffuse run printed", shown(verb.subject)
             ));
         }
         what = record::load_run(folder);
@@ -176,7 +176,7 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& verb) {
     return fmt::format(
         "#!/bin/sh\n"
         "# {} of a run of suffuse, one a task. Submit:  sbatch {}\n"
-        "# A task that is stopped saves what it has; submitted again it goes on. Then:  suffuse sweep --collect {}\n"
+        "# A stopped task saves its state and continues when submitted again. Then:  suffuse sweep --collect {}\n"
         "#SBATCH --job-name={}\n"
         "#SBATCH --array=1-{}\n"
         "#SBATCH --ntasks=1\n"
@@ -184,8 +184,7 @@ std::string slurm_text(const Emitted& emitted, const SweepVerb& verb) {
         "#SBATCH --mem={}M\n"
         "#SBATCH --output={}\n"
         "#SBATCH --signal=B:TERM@{:.0f}\n"
-        "{}"
-        "tasks={}\n"
+        "{}tasks={}\n"
         "task=$(sed -n \"${{SLURM_ARRAY_TASK_ID:-0}}p\" \"$tasks\")\n"
         "if [ -z \"$task\" ]; then\n"
         "    echo \"suffuse: $tasks has no task ${{SLURM_ARRAY_TASK_ID:-0}}: it was written anew after this array was "
@@ -211,7 +210,9 @@ int emit(const SweepVerb& verb, const Console& console) {
     const fs::path folder = prepare_folder(verb, console, emitted.what);
     emitted.folder = fs::absolute(folder).lexically_normal();
     if (emitted.folder.string().find('\n') != std::string::npos) {
-        throw UsageError(fmt::format("{}: tasks stand in lines; give -o a folder without line breaks", shown(folder)));
+        throw UsageError(
+            fmt::format("{}: tasks are listed in lines; give -o a folder without line breaks", shown(folder))
+        );
     }
     std::string tasks;
     for (const record::Sample& sample : record::list_samples(emitted.what)) {

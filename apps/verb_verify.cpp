@@ -19,7 +19,7 @@ namespace {
 struct VerifyVerb final : Verb {
     VerifyVerb()
         : Verb(
-              "verify", "whether a run's files are whole and as they were when it ended",
+              "verify", "check whether a run's files are complete and unchanged since it ended",
               "suffuse verify runs/dyke-0001"
           ) {}
 
@@ -56,7 +56,7 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
     }
     const bool is_complete = found.missing.names.empty();
     console.result(fmt::format(
-        "{}: {} against their checksums, {} against what their stages tell{}{}",
+        "{}: {} compared with their checksums, {} with the records of their stages{}{}",
         !found.damages.empty() ? plural(std::ssize(found.damages), "difference")
         : is_complete          ? "whole and unchanged"
                                : "unchanged, but not complete",
@@ -65,7 +65,9 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
         unverified(found.unverified.size(), found.stages)
     ));
     if (!is_complete) {
-        console.result(fmt::format("{}; suffuse resume {} goes on", describe_missing(found.missing), shell_word(run)));
+        console.result(
+            fmt::format("{}; continue with suffuse resume {}", describe_missing(found.missing), shell_word(run))
+        );
     }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);

@@ -34,7 +34,7 @@ constexpr std::chrono::seconds silence{3}; // without news, the lock is looked a
 
 struct WatchVerb final : Verb {
     WatchVerb()
-        : Verb("watch", "follow a run from another terminal, or tell how it ended", "suffuse watch runs/dyke-0001") {}
+        : Verb("watch", "follow a run from another terminal, or show how it ended", "suffuse watch runs/dyke-0001") {}
 
     std::string run;
 
@@ -172,7 +172,7 @@ int WatchVerb::act(const CommandLine&, const Console& console) const {
     }
     if (!fs::exists(folder / "events.jsonl") && !job::is_at_work(folder)) {
         throw UsageError(fmt::format(
-            "{} holds no run that has begun; suffuse watch wants the folder that suffuse run names", shown(run)
+            "{} holds no run that has begun; give suffuse watch the folder that suffuse run printed", shown(run)
         ));
     }
     Watch watch(folder, console);
