@@ -64,7 +64,7 @@ const kinds = {
   CSV: async ({ figure }) => new Blob([figure.csv], { type: "text/csv" }),
 };
 
-/** A button a kind of file; in place of the link to the file beside the report, which may have been left behind. */
+/** A button a kind of file; in place of the link to the file next to the report, which may have been left behind. */
 export function addButtons(place, what) {
   for (const [kind, make] of Object.entries(kinds)) {
     const button = document.createElement("button");

@@ -13,7 +13,7 @@ textMetrics.width = textWidth;
 const pageWidth = 640; // of a figure in its column
 const escaped = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;");
 
-// A specification holds its data. One that a stranger wrote could name a file of this machine, or an address: nothing is loaded.
+// A specification holds its data. One that someone else wrote could name a file of this machine, or an address: nothing is loaded.
 const refuse = async (place) => {
   throw new Error(`found data to be loaded from ${place}, expected all of it in the file`);
 };
@@ -22,7 +22,7 @@ const loader = { load: refuse, sanitize: refuse, http: refuse, file: refuse };
 /** Coordinates, which stand within tags, to a tenth of a pixel: what the eye cannot see need not be carried. */
 const shortened = (svg) => svg.replace(/<[^>]*>/g, (tag) => tag.replace(/(\.\d)\d+/g, "$1"));
 
-/** Draws `file`.vl.json into `folder`, as the words of the command ask. */
+/** Draws `file`.vl.json into `folder`, as the command specifies. */
 export async function draw(file, folder, options) {
   const whole = JSON.parse(readFileSync(file, "utf8"));
   const width = options.width ? Number(options.width) : options["in-page"] ? pageWidth : undefined;
@@ -39,7 +39,7 @@ export async function draw(file, folder, options) {
     svg = svg.replace(/^<svg[^>]*>/, (opening) => `${opening}<desc>${escaped(specification.description ?? "")}</desc>`);
   }
   if (options.width) {
-    // To the width asked for, whatever labels and titles took: the drawing is scaled as a whole.
+    // To the specified width, whatever labels and titles took: the drawing is scaled as a whole.
     const [, drawn, height] = /viewBox="0 0 ([\d.]+) ([\d.]+)"/.exec(svg).map(Number);
     svg = svg.replace(/^<svg[^>]*>/, (opening) =>
       opening.replace(/ width="[^"]*"/, ` width="${width}"`).replace(/ height="[^"]*"/, ` height="${(height * width) / drawn}"`),

@@ -1,6 +1,6 @@
 // node figures.js [--in-page] [--width PX] [--font NAME] [--seconds N] [--megabytes N] OUT_DIR FILE.vl.json...: draws each
-// specification as OUT_DIR/FILE.svg (draw_figure.js). --in-page: for a page that has title and caption beside it, on its own
-// ground. --width: in CSS pixels, which are 1/96 of an inch. A stranger's specification may ask for endless work: figures are
+// specification as OUT_DIR/FILE.svg (draw_figure.js). --in-page: for a page that has title and caption next to it, on its own
+// ground. --width: in CSS pixels, which are 1/96 of an inch. A foreign specification may ask for endless work: figures are
 // drawn on another thread, which may take --seconds for each and --megabytes of memory.
 import { parseArgs } from "node:util";
 import { isMainThread, parentPort, Worker, workerData } from "node:worker_threads";

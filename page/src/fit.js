@@ -10,7 +10,7 @@ function fullRows(panels, most) {
   return most;
 }
 
-/** Legends whose names would not stand in the rows asked for get fewer columns; three that do not fit a row, one: the
+/** Legends whose names would not stand in the requested rows get fewer columns; three that do not fit a row, one: the
     third alone in a second row looks like an accident. */
 function fitLegends(part, width) {
   if (Array.isArray(part)) part.forEach((each) => fitLegends(each, width));

@@ -26,7 +26,7 @@ export async function launch(more = []) {
   }
 }
 
-/** A report opened and drawn, with all that it complained of or asked for. */
+/** A report opened and drawn, with all that it complained of or requested. */
 export async function open(browser, run, options = {}) {
   // Scrolling at once: a place that is read while the page still glides is no place to click at.
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, reducedMotion: "reduce", ...options });
@@ -57,7 +57,7 @@ export function csv(run, id) {
   return { header, rows };
 }
 
-/** Waits until the view in 3D has drawn what was asked of it last. */
+/** Waits until the view in 3D has drawn what was specified of it last. */
 export async function settled(page) {
   await page.waitForFunction(() => !document.querySelector("[data-scene]").view.waiting);
 }

@@ -1,4 +1,4 @@
-// Figures of strangers: specifications of the sample run, changed as a fixed seed chooses. Whatever they hold, the program
+// Foreign figures: specifications of the sample run, changed as a fixed seed chooses. Whatever they hold, the program
 // that draws figures ends by itself, and each is drawn or complained of by its name; none is followed to a file or an address.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";

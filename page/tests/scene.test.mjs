@@ -1,4 +1,4 @@
-// The section "In 3D": what the view draws and tells, and what stands in for it.
+// The section "In 3D": what the view draws and shows, and what stands in for it.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -102,7 +102,7 @@ test("a click on a grain shows its card, and a neighbor on the card can be chose
   assert.equal(await page.inputValue('[data-control="grain"]'), id);
 });
 
-test("a grain is found by its number, also one that has left; an unknown number is told", async () => {
+test("a grain is found by its number, also one that has left; an unknown number is reported", async () => {
   await choose({ ...fresh, state: 1 });
   const gone = await page.evaluate(() => {
     const { scene } = document.querySelector("[data-scene]").view;

@@ -90,7 +90,7 @@ void translate(std::exception_ptr thrown) {
 void bind_errors(py::module_& m) {
     classes.error = make(m, "Error", "Anything that the user or the machine can mend.", {PyExc_Exception});
     classes.bad_case = make(
-        m, "CaseError", "A case, a data file or an argument asks for something that cannot be: `file`, `line`.",
+        m, "CaseError", "A case, a data file or an argument is invalid: `file`, `line`.",
         {classes.error, PyExc_ValueError}
     );
     classes.problems = make(m, "CaseProblems", "All that is wrong with a case: `problems`.", {classes.bad_case});
@@ -101,7 +101,7 @@ void bind_errors(py::module_& m) {
         make(m, "SolverError", "A linear solver missed its tolerance: `iterations`, `residual`.", {classes.error});
     classes.state = make(m, "StateError", "The state left what the model can describe.", {classes.error});
     classes.io = make(m, "IoError", "A file that cannot be read or written.", {classes.error, PyExc_OSError});
-    classes.interrupted = make(m, "Interrupted", "Long work was asked to stop.", {classes.error});
+    classes.interrupted = make(m, "Interrupted", "Long work was interrupted on request.", {classes.error});
     classes.bug = make(m, "Bug", "A defect of suffuse; please report it.", {PyExc_RuntimeError});
     py::register_exception_translator(&translate);
 }

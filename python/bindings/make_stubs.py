@@ -45,7 +45,7 @@ def type_of(text):
 
 
 def argument(part):
-    """`name: type = default`, whose default is not told: it may be no Python."""
+    """`name: type = default`, whose default is left out: it may not be Python."""
     declared, given, _ = part.partition(" = ")
     name, colon, kind = declared.partition(": ")
     return name + (f": {type_of(kind)}" if colon and name != "self" else "") + (" = ..." if given else "")
@@ -65,7 +65,7 @@ def quoted(doc, indent):
 
 
 def function(name, one, indent, decorator=""):
-    if inspect.isfunction(one):  # of Python's own, beside those of C++
+    if inspect.isfunction(one):  # of Python's own, besides those of C++
         return f"{indent}def {name}{inspect.signature(one)}:\n{quoted(one.__doc__, indent + '    ')}{indent}    ...\n"
     arguments, result = signature(one.__doc__)
     signature_text = one.__doc__.partition("\n")[2]

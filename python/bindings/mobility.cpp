@@ -1,4 +1,4 @@
-// What gradients move of the fines of a World, against their weight.
+// Gradients that move the fines of a World against their weight.
 
 #include "suffuse/erosion/mobility.hpp"
 
@@ -142,7 +142,7 @@ void bind_mobility(py::module_& m) {
         py::arg("softness") = erosion::WeighedMotion{}.softness, py::arg("on_progress") = py::none(),
         with_keys(
             "Which fines a rising gradient moves against their weight, as a stage that does \"detach\" in a case with "
-            "[gravity]; the world itself stays as it is. The ramp is refined until the gradients that move 1 and 10 % "
+            "[gravity]; the world itself does not change. The ramp is refined until the gradients that move 1 and 10 % "
             "are known to 0.01. Returns a dictionary: for each gradient that was borne arrays `gradient`, "
             "`mobile_mass_share`, `mobile_number_share`, `lifted_mass_share`, `held_for`, `still_moving`, "
             "`still_growing` (the shares are then lower bounds) and `permeability`; for each grain `mobile_gradient`; "

@@ -30,7 +30,7 @@ packing::Protocol protocol_of(const std::string& word) {
     throw CaseError(fmt::format("protocol: found \"{}\", expected faithful, swift, slow or wide", word));
 }
 
-/// One compaction, to its end or until it is seen to miss a void ratio asked for.
+/// One compaction, to its end or until it is seen to miss a specified void ratio.
 packing::CompactState compact_once(
     Stepping& call, const packing::CompactSpec& spec, const dem::BalanceSpec& balance, double damping,
     Attention& attention
@@ -72,8 +72,8 @@ packing::CompactSpec spec_of(
     spec.void_ratio_tolerance = value_of(key("void_ratio_tolerance"), void_ratio_tolerance, "void_ratio_tolerance");
     if (spec.void_ratio && spec.prepare.friction && spec.protocol != packing::Protocol::Swift) {
         throw CaseError(fmt::format(
-            "friction: found {}, beside a void_ratio, for which protocol \"{}\" searches the friction; leave one of "
-            "the two out, or take protocol=\"swift\"",
+            "friction: found {}, together with a void_ratio, for which protocol \"{}\" searches the friction; leave "
+            "one of the two out, or take protocol=\"swift\"",
             print_quantity(*spec.prepare.friction, dimension::angle), protocol
         ));
     }
@@ -121,7 +121,7 @@ py::dict compact(
                     return dem::void_ratio(call.world());
                 });
             } catch (...) {
-                start_again(); // the last trial is nothing that was asked for
+                start_again(); // the last trial is nothing that was requested
                 throw;
             }
         }
@@ -188,9 +188,8 @@ void bind_preparation(py::module_& m) {
         py::arg("damping") = dem::usual_damping, py::arg("on_progress") = py::none(),
         with_keys(
             "Compacts a cloud isotropically, then settles it with the final material, as a stage that does "
-            "\"compact\". Returns a dictionary: `steps`, `void_ratio_compacted` (before settling); and where a void "
-            "ratio "
-            "was asked for `void_ratio`, `trials` and `preparation_friction` [rad].\n"
+            "\"compact\". Returns a dictionary: `steps`, `void_ratio_compacted` (before settling); and, if a void "
+            "ratio was specified, `void_ratio`, `trials` and `preparation_friction` [rad].\n"
             "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
             {{"stage.compact", "pressure"},
              {"stage.compact.prepare", "friction"},

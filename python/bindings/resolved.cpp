@@ -90,13 +90,13 @@ void bind_resolved(py::module_& m) {
     type.def_readonly("permeability", &ResolvedFlow::permeability, "Intrinsic, along the direction [m2].");
     type.def_readonly(
         "finer_permeability", &ResolvedFlow::finer_permeability,
-        "That of the finer grid; how far the extrapolated one lies from it tells how far to trust it [m2]."
+        "That of the finer grid; its distance from the extrapolated one indicates the error [m2]."
     );
     type.def_property_readonly(
         "tensor", [](const ResolvedFlow& flow) -> Typed<"numpy.ndarray | None"> {
             return flow.tensor ? py::object(to_array(*flow.tensor)) : py::object(py::none());
         },
-        "3 x 3: permeability, where asked; else None [m2]."
+        "3 x 3: permeability, if requested; else None [m2]."
     );
     add_vector(type, "pressure_gradient", &ResolvedFlow::pressure_gradient, "3: mean [Pa/m].");
     add_vector(type, "mean_velocity", &ResolvedFlow::mean_velocity, "3: superficial [m/s].");

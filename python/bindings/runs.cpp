@@ -102,7 +102,7 @@ public:
         bool closed = false;
     };
 
-    /// What came in, after a tenth of a second, when something is asked, or when the run has ended.
+    /// What came in, after a tenth of a second, when a question waits, or when the run has ended.
     Mail fetch() {
         std::unique_lock guard(mutex_);
         news_.wait_for(guard, std::chrono::milliseconds(100), [this] { return closed_ || !questions_.empty(); });
@@ -246,7 +246,7 @@ int samples_within(
     plan::RunPlan plan;
     try {
         plan = plan::plan_run(value, any);
-    } catch (const CaseError&) { // a sample that cannot be made: the run tells which, and makes the others
+    } catch (const CaseError&) { // a sample that cannot be made: the run shows which, and makes the others
         return any.at_once;
     }
     plan::price_requested_alone(plan, value, until, "");
@@ -349,7 +349,7 @@ void bind_runs(py::module_& m) {
     );
     m.def(
         "check_result", &record::require_same_result, py::arg("run"), py::arg("name"),
-        "Raises IoError where a file that the report wrote is not as it was when the run ended."
+        "Raises IoError if a file written by the report has changed since the run ended."
     );
     m.def("scene_page", [](const WorldHandle& w, const std::string& title, const fs::path& page_folder) {
         const SeenWorld world(w);

@@ -213,7 +213,7 @@ cell::Loading make_loading(
     cell::Loading loading;
     if (!velocity_gradient.is_none()) {
         if (!stress.is_none() || !strain_rate.is_none()) {
-            throw CaseError("loading: velocity_gradient stands instead of stress and strain_rate, not beside them");
+            throw CaseError("loading: velocity_gradient replaces stress and strain_rate; give one or the other");
         }
         loading.velocity_gradient = matrix_of(velocity_gradient, dimension::rate, "velocity_gradient");
     }
@@ -223,7 +223,7 @@ cell::Loading make_loading(
     loading.servo.max_rate = optional_value_of(key_of("stage.advance.servo", "max_rate"), max_rate, "max_rate");
     loading.shear_released = word_of(shear_stresses, casefile::names::shear_stresses, "shear_stresses");
     if (loading.shear_released && !cell::releases_shear(loading)) {
-        throw CaseError("loading: shear_stresses are \"released\" beside a stress that is held, and there is none");
+        throw CaseError("loading: shear_stresses = \"released\" needs a stress that is held, and there is none");
     }
     return loading;
 }

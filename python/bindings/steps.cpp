@@ -55,7 +55,7 @@ std::optional<double> time_step_of(const py::object& value, double damping, Step
     return given;
 }
 
-/// What the caller of a step asked for.
+/// What the caller of a step requested.
 struct StepRequest {
     dem::StepPlan plan; ///< its time step is 0 where it is to be computed
     grains::GrainLoad load;
@@ -308,15 +308,14 @@ void bind_steps(py::module_& m) {
         py::arg("damping") = dem::usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
         with_keys(
             "Compresses along z, as a stage that does \"triaxial\". Returns a dictionary: `curve`, `response`, "
-            "`steps`, "
-            "`strain_rate` [1/s] and `median_diameter` [m].\n\n"
+            "`steps`, `strain_rate` [1/s] and `median_diameter` [m].\n\n"
             "curve: a list of rows, each with axial_strain, volumetric_strain [-], stress (3 x 3), mean_stress p, "
             "deviator_stress q (axial minus mean lateral), excess_pore_pressure [Pa], void_ratio, coordination, "
             "mechanical_coordination, unbalanced_force, inertial_number [-], second_order_work (since the row before) "
             "and energy (its parts, since the start) [J/m3]\n"
             "response: peak_deviator, final_deviator, stiffness (E50), excess_pore_pressure [Pa], peak_ratio (q/p), "
             "peak_strain, dilatancy, largest_contraction, final_volumetric_strain, lost_at [-], friction_angle [rad], "
-            "instability (p, q, strain), liquefied, energy [J/m3]; None where the test does not tell\n"
+            "instability (p, q, strain), liquefied, energy [J/m3]; None if the test does not determine it\n"
             "time_step: computed unless given\nrows: of the curve\n"
             "mode: \"reference\", or \"fast\": contact law and memory in single precision\n"
             "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",

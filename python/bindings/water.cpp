@@ -23,7 +23,7 @@ namespace {
 
 using flow::Seepage;
 
-/// A flow, what it was solved of and in which packing. The network is beside it, for callers that keep it alone. Where
+/// A flow, what it was solved of and in which packing. The network is next to it, for callers that keep it alone. Where
 /// the flow is resolved, what it does as a whole and to grains is of that, and pressures and fluxes of the network.
 struct SolvedSeepage : Seepage {
     flow::FlowSpec spec;
@@ -195,7 +195,7 @@ void bind_seepage(py::module_& m) {
         "tensor", [](const SolvedSeepage& water) -> Typed<"numpy.ndarray | None"> {
             return water.tensor ? py::object(to_array(*water.tensor)) : py::object(py::none());
         },
-        "3 x 3: permeability, where asked; else None [m2]."
+        "3 x 3: permeability, if requested; else None [m2]."
     );
     type.def_property_readonly(
         "pressure_gradient", [](const SolvedSeepage& water) { return to_array(water.pressure_gradient); },

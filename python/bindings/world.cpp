@@ -53,7 +53,7 @@ Handle make_world(
     }
     if (const auto rows = cell::find_coincident(world.cell.h, x, r)) {
         throw GeometryError(fmt::format(
-            "position: the grains in rows {} and {} lie in one place or an image of it; take one of them out",
+            "position: the grains in rows {} and {} are at the same place or an image of it; remove one of them",
             rows->first, rows->second
         ));
     }

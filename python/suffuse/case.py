@@ -112,7 +112,7 @@ class CaseFile:
         return Plan(self._core.plan())
 
     def __reduce__(self):
-        """To another process it travels as what it was asked as, and is read again there."""
+        """Pickled as its file, preset and changes, and read again in the other process."""
         return type(self), (self.path, self._given_preset, self._changes, self._given_studies)
 
     def __repr__(self):

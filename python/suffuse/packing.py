@@ -19,7 +19,7 @@ def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, ra
     velocity_gradient: dv/dx of the cell, extension positive [1/s], which the velocities of the file contain; the one that
         fits them best unless given, and none where no mean motion shows
     What the file says beyond that is warned of, and so are a cell narrower than ten of the largest grains, one that they
-    hardly fill, and one taken in place of the file's own. An imported packing carries no contact memory: settle it first.
+    barely fill, and one taken in place of the file's own. An imported packing carries no contact memory: settle it first.
     """
     world, remarks = _core.read_packing(
         path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient
@@ -32,7 +32,7 @@ def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, ra
 @spelled
 def read(path, format=None, cell=None, material=None):
     """A packing from elsewhere, as read_packing; `format` ("csv", "yade", "lammps", "dump", "xyz", "vtp") is what the
-    caller takes the file for. The file itself tells: an unknown word is an error, a known one is only a remark."""
+    caller takes the file for. The file itself decides: an unknown word is an error, a known one is only a remark."""
     known = ("csv", "yade", "lammps", "dump", "xyz", "vtp")
     if format is not None and format not in known:
         raise _core.UsageError(f"format {format!r}: it is one of {', '.join(known)}")

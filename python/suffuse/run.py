@@ -84,7 +84,7 @@ class Case(CaseFile):
             a sample has ended, with `sample_ended`, and `failure`: why it failed, or None
         threads: for this run; suffuse.threads() unless given. Results do not depend on it
         on_event: another word for on_progress
-        cache: a folder where finished stages are kept and found again; none unless given
+        cache: a folder in which finished stages are stored for reuse; by default none
         rules: detachment rules of your own by stages that do "erode", as in {"erosion": fn} or {"STUDY/STAGE": fn}:
             functions from a Probe to a truth value for each of its fines, as in World.erode. A stage with one is neither
             taken from the cache nor kept there, and `own_rule` of its stage.json and a warning say whose it is
@@ -372,7 +372,7 @@ class Run:
     def resume(
         self, until="", time_limit=None, on_progress=None, threads=None, on_event=None, cache=None, rules=None, memory=None
     ):
-        """Goes on with a run that was stopped, to the same bits; arguments as of Case.run. Stages that were asked for with
+        """Goes on with a run that was stopped, to the same bits; arguments as of Case.run. Stages that were requested with
         a rule of your own want the same one again."""
         resolved = self.folder / "case.resolved.toml"
         if resolved.exists():
@@ -384,7 +384,7 @@ class Run:
         return self
 
     def compare(self, other, tolerance=0):
-        """What differs from another run, as `suffuse compare --json` tells it: differences, circumstances, ..."""
+        """What differs from another run, as in `suffuse compare --json`: differences, circumstances, ..."""
         return _core.compare_runs(self.folder, pathlib.Path(getattr(other, "folder", other)), tolerance)
 
     def verify(self):

@@ -16,7 +16,7 @@ def _force_n(contacts):
 
 
 def _select(contacts, which):
-    """The rows asked for (a mask, numbers or a slice), as a record array: strong.force_n, strong.i, ..."""
+    """The requested rows (a mask, numbers or a slice), as a record array: strong.force_n, strong.i, ..."""
     columns = {name: numpy.asarray(getattr(contacts, name)) for name in _COLUMNS}
     kinds = [(name, column.dtype, column.shape[1:]) for name, column in columns.items()]
     rows = numpy.recarray(len(contacts), kinds)

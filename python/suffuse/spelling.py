@@ -7,7 +7,7 @@ from suffuse import _core
 
 
 def spelled(function):
-    """What calls `function`, and says which argument was meant where one is named that it does not have."""
+    """Calls `function`; for an unknown argument the error suggests the intended one."""
     known = [name for name, one in inspect.signature(function).parameters.items() if name != "self"]
 
     @functools.wraps(function)

@@ -30,7 +30,7 @@ def assess(grading, **settings):
 
     finer_than: size below which grains count as fine; found on the curve unless given
     relative_density: 0 loosest, 1 densest; both unless given
-    coarse_fabric: D60/D10 of the coarse part decides how far to look at F
+    coarse_fabric: D60/D10 of the coarse part decides up to which F
     gradient: hydraulic gradient of upward seepage; with it porosity, density (of the grains), alpha (mean stress of the
         fines over that of the soil)
 

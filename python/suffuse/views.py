@@ -1,4 +1,4 @@
-"""What notebooks show of worlds, plans, runs and tables: HTML that stands by itself and asks for nothing."""
+"""What notebooks show of worlds, plans, runs and tables: self-contained HTML that loads nothing."""
 
 import html
 import pathlib
@@ -26,7 +26,7 @@ def _cell(value):
 
 
 def _aligned(text):
-    """Numbers and ranges of them stand right, so that their digits stand below each other."""
+    """Numbers and ranges are right-aligned, so that their digits line up."""
     is_number = all(character.isdigit() or character in " .,+-e" for character in text.replace("to", ""))
     return f'<td style="text-align:{"right" if is_number else "left"}">{text}</td>'
 

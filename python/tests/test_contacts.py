@@ -1,4 +1,4 @@
-"""Contacts: a picture that carries the stress, and tells what has reached a limit of the law."""
+"""Contacts: a picture that carries the stress, and shows what has reached a limit of the law."""
 
 import gc
 

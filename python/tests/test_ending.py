@@ -28,7 +28,7 @@ def again(work):
             work()
     return go_on
 
-def told(*what):
+def on_progress(*what):
     begun.set()
 """
 TAIL = """
@@ -38,17 +38,17 @@ begun.wait()
 time.sleep(float(sys.argv[1]))
 """
 VERBS = {
-    "step": "work = lambda: world.step(10**9, time_step=1e-12, on_progress=told)",
+    "step": "work = lambda: world.step(10**9, time_step=1e-12, on_progress=on_progress)",
     "step without a word": "work = again(lambda: world.step(10**9, time_step=1e-12))",
     "short steps": "work = again(lambda: world.step(1, time_step=1e-12))",
     "settle": "work = lambda: world.settle(suffuse.Loading(stress='100 kPa'), max_steps=10**9, balance="
-    "suffuse.Balance(unbalanced_force=1e-300), on_progress=told)",
+    "suffuse.Balance(unbalanced_force=1e-300), on_progress=on_progress)",
     "relax": "world.settle(suffuse.Loading(stress='100 kPa'))\nwork = again(lambda: world.copy().relax(1e-300))",
-    "compact": "work = lambda: world.compact('100 kPa', balance=suffuse.Balance(unbalanced_force=1e-300), on_progress=told)",
+    "compact": "work = lambda: world.compact('100 kPa', balance=suffuse.Balance(unbalanced_force=1e-300), on_progress=on_progress)",
     "triaxial": "world.settle(suffuse.Loading(stress='100 kPa'))\nwork = lambda: world.triaxial(0.3, inertial_number=1e-9, "
-    "on_progress=told)",
+    "on_progress=on_progress)",
     "erode": "world.settle(suffuse.Loading(stress='100 kPa'))\nworld.grains.fine = world.grains.radius < 1e-4\n"
-    "work = lambda: world.erode(0.5, ramp=10**8, on_progress=told)",
+    "work = lambda: world.erode(0.5, ramp=10**8, on_progress=on_progress)",
     "a rule": "world.settle(suffuse.Loading(stress='100 kPa'))\nworld.grains.fine = world.grains.radius < 1e-4\n"
     "def rule(probe):\n    begun.set()\n    time.sleep(2)\n    return probe.by_velocity\n"
     "work = lambda: world.erode(0.5, rule=rule, ramp=10, watch=10)",

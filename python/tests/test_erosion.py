@@ -1,4 +1,4 @@
-"""Erosion of a World and of a case, with the rules of a case and with rules of one's own."""
+"""Erosion of a World and of a case, with the rules of a case and with custom rules."""
 
 import json
 import pickle
@@ -99,7 +99,7 @@ def test_a_run_with_a_custom_rule_says_so(eroding_case, tmp_path):
     stage = run["erosion/eroded"]
     assert stage["own_rule"]["name"] == "lightly_held" and "coordination <= 1" in stage["own_rule"]["source"]
     assert set(stage.table("eroded.csv")["reason"]) == {"own rule"} and stage.passes[0].removed > 0
-    assert any("rule of the caller's own, lightly_held" in text for text in run.summary["warnings"])
+    assert any("a custom rule, lightly_held" in text for text in run.summary["warnings"])
     assert "erosion/eroded by the rule lightly_held" in run.provenance["command"]
     assert "own_rule" not in run["erosion/settled"].numbers
     own_rules = json.loads((tmp_path / "run" / "own_rules.json").read_text())
@@ -136,9 +136,9 @@ def test_a_stopped_run_goes_on_with_the_same_rule_only(eroding_case, tmp_path):
         case.run(tmp_path / "run", rules={"eroded": rule})
     run = suffuse.Run(tmp_path / "run")
     assert "erosion/eroded" not in run.stages
-    with pytest.raises(suffuse.UsageError, match="was asked for with the rule .*rule from Python"):
+    with pytest.raises(suffuse.UsageError, match="was requested with the rule .*rule from Python"):
         run.resume()
-    with pytest.raises(suffuse.UsageError, match="was asked for with the rule"):
+    with pytest.raises(suffuse.UsageError, match="was requested with the rule"):
         case.run(tmp_path / "run")
     run.resume(rules={"eroded": lightly_held})
     assert run.outcome == "done" or "another detachment rule" in run.summary["failures"][0]["message"]

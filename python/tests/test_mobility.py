@@ -1,4 +1,4 @@
-"""What gradients move of the fines of a World, against their weight."""
+"""Gradients that move fines of the fines of a World, against their weight."""
 
 import numpy
 import pytest
@@ -19,7 +19,7 @@ def test_a_grain_in_a_pocket_is_lifted_before_the_soil_heaves():
     world = pocket()
     before = numpy.array(world.grains.position)
     found = world.mobility([0.02, 0.1, 0.2], asked_gradient=0.1)
-    assert numpy.array_equal(world.grains.position, before), "the world itself stays"
+    assert numpy.array_equal(world.grains.position, before), "the world itself does not change"
     assert numpy.isnan(found["mobile_gradient"][numpy.array(world.grains.fine) == 0]).all()
     assert {0.02, 0.1, 0.2} <= set(found["gradient"])
     assert (numpy.diff(found["gradient"]) > 0).all() and numpy.diff(found["gradient"]).max() < 0.0501

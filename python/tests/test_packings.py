@@ -56,7 +56,7 @@ def test_a_file_without_a_cell_requires_one(tmp_path):
     (tmp_path / "p.csv").write_text("x,y,z,r\n0.5,0.5,0.5,0.03\n")
     with pytest.raises(suffuse.CaseError, match="carries no cell; give cell="):
         suffuse.read_packing(tmp_path / "p.csv")
-    with pytest.warns(UserWarning, match="cell and unit say which lengths are meant"):  # one grain hardly fills it
+    with pytest.warns(UserWarning, match="check the cell and the unit of lengths"):  # one grain barely fills it
         assert len(suffuse.read_packing(tmp_path / "p.csv", cell=("1 m", 1, "100 cm"))) == 1
 
 
@@ -119,7 +119,7 @@ def test_shear_stresses_are_released_on_request():
     for wrong in ({"shear_stresses": "lost"}, {"shear_stresses": "released", "protocol": "slow"}):
         with pytest.raises(suffuse.CaseError, match="shear_stresses"):
             cloud.compact("100 kPa", **wrong)
-    with pytest.raises(suffuse.CaseError, match="beside a stress"):
+    with pytest.raises(suffuse.CaseError, match="needs a stress"):
         suffuse.Loading(shear_stresses="released")
 
 
@@ -153,7 +153,7 @@ def test_a_packing_read_back_keeps_its_mean_motion_once(tmp_path):
     for read in (found, given):
         read.material = world.material
         read.step(1, loading, time_step=1e-15)
-    # The fitted mean motion gives way to the loading's; of the one that is given the grains keep what they had beside it.
+    # The fitted mean motion gives way to the loading's; of the one that is given the grains keep what they had next to it.
     assert slope(found) == pytest.approx(1, abs=1e-9)
     assert slope(given) == pytest.approx(slope(world), abs=1e-9)
     assert numpy.array_equal(numpy.asarray(given.velocity_gradient), gradient)

@@ -126,7 +126,7 @@ def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_p
         suffuse.Case(small_case).run(tmp_path / "run", on_progress=stop)
     events = []
     run = suffuse.Run(tmp_path / "run").resume(threads=1, on_event=events.append)
-    if events:  # the function is heard beside the work, which may have ended meanwhile: then nothing was left to do
+    if events:  # the function is heard next to the work, which may have ended meanwhile: then nothing was left to do
         assert events[-1]["sample_ended"] and events[-1]["failure"] is None
     whole = suffuse.Case(small_case).run(tmp_path / "whole")
     assert run["replay/seep"]["state_hash"] == whole["replay/seep"]["state_hash"]

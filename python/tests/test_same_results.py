@@ -1,4 +1,4 @@
-"""tools/same_results, which compares two builds: it passes over no difference, and tells times from results."""
+"""tools/same_results, which compares two builds: it passes over no difference, and separates times from results."""
 
 import importlib
 import json

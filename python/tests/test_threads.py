@@ -1,4 +1,4 @@
-"""Threads of Python beside each other: nobody reads what is half done, and nobody waits for a whole run to look."""
+"""Threads of Python side by side: nobody reads what is half done, and nobody waits for a whole run to look."""
 
 import _thread
 import subprocess

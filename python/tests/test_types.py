@@ -1,4 +1,4 @@
-"""What editors and type checkers read of the compiled half is Python, and tells all that there is."""
+"""What editors and type checkers read of the compiled half is Python, and lists all that there is."""
 
 import ast
 import inspect

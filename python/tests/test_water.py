@@ -190,7 +190,7 @@ def test_resolved_flow_carries_the_whole_gradient_and_reports_its_grid():
 def test_grains_in_one_place_are_refused_by_their_rows():
     x, r = [[0, 0, 0], [2e-3, 2e-3, 0], [0, 4e-3, 0]], [1e-3] * 3
     for act in (suffuse.seep, suffuse.World, suffuse.PoreNetwork):
-        with pytest.raises(suffuse.GeometryError, match="rows 0 and 2 lie in one place"):
+        with pytest.raises(suffuse.GeometryError, match="rows 0 and 2 are at the same place"):
             act((4e-3,) * 3, x, r)
 
 

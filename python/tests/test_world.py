@@ -289,7 +289,7 @@ def test_arguments_of_a_compaction_are_held_to_their_ranges_and_to_each_other(cl
         ({"adhesion_shear": "-1 kPa"}, "adhesion_shear: found"),
         ({"void_ratio": 60}, "void_ratio: found 60"),
         ({"void_ratio": 0.7, "void_ratio_tolerance": 0}, "void_ratio_tolerance: found 0"),
-        ({"void_ratio": 0.7, "friction": "10 deg"}, "friction: found .*, beside a void_ratio, .*faithful.* searches the friction"),
+        ({"void_ratio": 0.7, "friction": "10 deg"}, "friction: found .*, together with a void_ratio, .*faithful.* searches the friction"),
     ):
         with pytest.raises(suffuse.CaseError, match=message):
             cloud.compact(**{"pressure": "100 kPa", **wrong})

@@ -81,7 +81,7 @@ function drawChart() {
   $("printed-points").textContent = `Passing: ${soil.d.map((d, k) => `${Number((1e3 * d).toPrecision(6))} mm ${Number((100 * soil.f[k]).toPrecision(4))} %`).join(", ")}.`;
 }
 
-/** The asked gradient on one line with those that lift the fines and the soil. */
+/** The specified gradient on one line with those that lift the fines and the soil. */
 function drawGradients(found) {
   const width = 330, height = 62, left = 14, right = 12, line = 34, i = state.gradient;
   const most = Math.max(found.heave, i, found.fines ?? 0) * 1.12, x = (g) => left + (g / most) * (width - left - right);
@@ -94,7 +94,7 @@ function drawGradients(found) {
     parts.push(`<path class="${kind}" stroke-width="2.5" d="M${x(g)} ${line - 9}v18"/><text class="${kind}${isRight ? " e" : ""}" x="${x(g) + (isRight ? 3 : -3)}" y="${row}">${text}</text>`);
   };
   mark(found.heave, "heave", `heave ${found.heave.toFixed(2)}`, 22);
-  if (i > 0) mark(i, "asked", `asked ${i.toFixed(2)}`, Math.abs(x(i) - x(found.heave)) < 170 && x(i) > width * 0.35 ? 10 : 22);
+  if (i > 0) mark(i, "asked", `specified ${i.toFixed(2)}`, Math.abs(x(i) - x(found.heave)) < 170 && x(i) > width * 0.35 ? 10 : 22);
   if (found.fines !== undefined) parts.push(`<path class="ax" stroke-dasharray="3 2" d="M${x(found.fines)} ${line - 9}v18"/>`);
   $("gradients").setAttribute("viewBox", `0 0 ${width} ${height}`);
   $("gradients").innerHTML = parts.join("");
@@ -190,9 +190,9 @@ function readPoints(text) {
   points.forEach((p, k) => {
     if (!(p.d > 0) || p.f < 0 || p.f > 1) throw new Error(`${1e3 * p.d} mm, ${100 * p.f} %: sizes are above 0, percents from 0 to 100`);
     if (k && p.f < points[k - 1].f) throw new Error(`percent passing falls at ${1e3 * p.d} mm: is it what is retained?`);
-    if (k && p.d === points[k - 1].d) throw new Error(`${1e3 * p.d} mm stands twice`);
+    if (k && p.d === points[k - 1].d) throw new Error(`${1e3 * p.d} mm occurs twice`);
   });
-  if (points[0].f === points[points.length - 1].f) throw new Error("nothing lies between the sizes");
+  if (points[0].f === points[points.length - 1].f) throw new Error("there is nothing between the sizes");
   return points;
 }
 
