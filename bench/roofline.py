@@ -3,7 +3,7 @@
 
 Takes the vectorized inner loops of a symbol out of a built object, lets llvm-mca simulate each on a processor's model, and
 prints cycles per item, the port that is busiest and the bound that it sets. The functions that the compiler cloned for
-several processors (`target_clones`) are told apart by the clone's suffix. What lies outside those loops is not counted.
+several processors (`target_clones`) are distinguished by the clone's suffix. What lies outside those loops is not counted.
 """
 import argparse
 import pathlib

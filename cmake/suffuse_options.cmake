@@ -3,7 +3,7 @@ add_library(suffuse_options INTERFACE)
 target_compile_options(suffuse_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion
     # Of eight files that are read as one, names of the others are in sight: there, only a function's own may not be hidden, and
-    # clang cannot tell them apart.
+    # clang cannot distinguish them.
     $<IF:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
     -Wno-missing-field-initializers # what a designated initializer leaves out has its default in the struct
     # The same bits on every processor: no fused multiply-add unless written. No traps or errno are read, and saying so

@@ -1,4 +1,4 @@
-# version.cpp: version, commit and compiler, for the provenance of results. The commit is asked for in every build and not
+# version.cpp: version, commit and compiler, for the provenance of results. The commit is requested in every build and not
 # when it is configured, or a program that was built again would name an old one; the file is written only where it
 # changes, so that nothing is compiled or linked for it otherwise.
 if(CMAKE_SCRIPT_MODE_FILE)

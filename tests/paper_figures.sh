@@ -26,7 +26,7 @@ CALLS=$folder/calls "$script" "$folder/program" /root-of-it --preset quick -o "$
 cut -d ' ' -f 1 "$folder/calls" | tr '\n' ' ' >"$folder/order"
 [ "$(cat "$folder/order")" = "plan plan run run figures figures " ] || fail "called in the order $(cat "$folder/order")"
 grep -q "^run /root-of-it/examples/silty-sand-2016/case.toml -o $folder/out/mixtures --preset quick$" "$folder/calls" ||
-    fail "the mixtures were not run as asked"
+    fail "the mixtures were not run as requested"
 for number in 01 02 03 04 05 06 07 08 09 10 11 12 13 14; do
     [ -e "$folder/out/fig$number.svg" ] || fail "no figure $number"
     grep -q "src=\"fig$number.svg\"" "$folder/out/index.html" || fail "figure $number is not on the page"

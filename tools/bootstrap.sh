@@ -115,7 +115,7 @@ need_packages() {
     : >"$stamp"
 }
 
-# configure ON|OFF: with or without tests. Tests, once asked for, stay configured, so that ./run and ./test share one tree.
+# configure ON|OFF: with or without tests. Tests, once requested, stay configured, so that ./run and ./test share one tree.
 configure() {
     [ -e "$build/build.ninja" ] && { [ "$1" = OFF ] || grep -q '^SUFFUSE_TESTS:BOOL=ON' "$build/CMakeCache.txt"; } && return
     (cd "$root" && step configure configure.log cmake --preset release -DSUFFUSE_QUICK_BUILD=ON -DSUFFUSE_TESTS="$1") || fail "cannot configure"

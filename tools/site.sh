@@ -1,5 +1,5 @@
 #!/bin/sh
-# tools/site.sh [OUT]: the documentation as pages with a search that needs no network: OUT/index.html, build/site unless told.
+# tools/site.sh [OUT]: the documentation as pages with a search that needs no network: OUT/index.html, build/site by default.
 # Pages are made from the Markdown of this checkout and from what the Python module says of itself. A link to nothing and a
 # page that nothing leads to are errors. --offline before OUT refuses to fetch packages.
 set -eu

@@ -21,7 +21,7 @@ GRAINS = {"at rest": (2000, 5000), "agitated": (6000, 6000)}  # at least, at mos
 SEEDS = {"at rest": (1,), "agitated": (1, 2, 3)}
 AGITATION, COLD = 0.25, 0.03  # speed along an axis of a grain of mean mass, over sqrt(pressure/density): first, last
 MIXTURES = [(1, 0.0)] + [(ratio, fines) for ratio in (2, 3, 4, 5, 6) for fines in (0.2, 0.3)]
-LOOSE = [(1, 0.0), (2, 0.2), (3, 0.2), (4, 0.2)]  # too loose at rest; equal spheres tell whether grains order
+LOOSE = [(1, 0.0), (2, 0.2), (3, 0.2), (4, 0.2)]  # too loose at rest; equal spheres show whether grains order
 STEPS_OF_A_COLLISION = 6  # of two fine grains; with 2, as dense packings allow, it gains energy
 
 

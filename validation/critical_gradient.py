@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Gradients that move the fines of gap-graded soils and of a uniform sand: critical_gradient.toml, beside Skempton and Brogan's line."""
+"""Gradients that move the fines of gap-graded soils and of a uniform sand: critical_gradient.toml, with Skempton and Brogan's line."""
 
 import math
 import re

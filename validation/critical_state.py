@@ -18,7 +18,7 @@ LAWS = {  # coefficient of friction, limit of the rolling moment; friction angle
     "friction 0.5, rolling 0.1": (0.5, 0.1, (28, 35)),
     "friction 0.5, rolling 0.3": (0.5, 0.3, (28, 35)),
 }
-SEEDS = 32  # of each law and start: the scatter of one sample is twice what is asked of their means
+SEEDS = 32  # of each law and start: the scatter of one sample is twice the tolerance of their means
 # Dense: no friction while compacted. Loose: adhesion while compacted, cut afterwards.
 PREPARATION = {"dense": {"friction": 0}, "loose": {"adhesion_normal": "1 MPa"}}
 # `spread`: largest / smallest diameter, even by number in between. VARIED: what could explain angles off the literature's,

@@ -21,7 +21,7 @@ def arguments(description):
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--peer", required=True, choices=["yade", "lammps"])
     parser.add_argument("--program", required=True, help="suffuse, or what answers as it does")
-    parser.add_argument("--packing", required=True, help="x,y,z,r table, .csv.gz, with the parameters in the .json beside it")
+    parser.add_argument("--packing", required=True, help="x,y,z,r table, .csv.gz, with the parameters in the .json next to it")
     parser.add_argument("--output", required=True, type=pathlib.Path, help="CSV to write, a row a window")
     parser.add_argument("--pairs", type=int, default=7)
     parser.add_argument("--threads", type=int, default=2, help="of either code; MPI ranks where the peer has no threads")
@@ -87,7 +87,7 @@ def row(title, *cells):
 
 
 def print_machine(ours, theirs):
-    """Processor time and load; tells apart the pairs in which both codes had their processors."""
+    """Processor time and load; distinguishes the pairs in which both codes had their processors."""
     row("processor time / threads", quartiles([w["processors"] for w in ours]), quartiles([w["processors"] for w in theirs]))
     loads = [w[when] for w in ours + theirs for when in ("load_before", "load_after")]
     clean = [k for k, (s, p) in enumerate(zip(ours, theirs)) if min(s["processors"], p["processors"]) >= CLEAN]

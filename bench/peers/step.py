@@ -2,7 +2,7 @@
 """One time step against a peer's, on one packing, with one law, on the same processors, measured in turn in one run.
 
 The peer settles the packing once; each of our windows is one call of `suffuse bench step`, which settles the same packing
-itself. Called by step_vs_*.sh; writes a row a window to --output, and prints ratios with quartiles beside the physics.
+itself. Called by step_vs_*.sh; writes a row a window to --output, and prints ratios with quartiles next to the physics.
 """
 import gzip
 import json

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Read a run and draw a figure of one's own: how density and stress went through its stages.
+"""Read a run and draw a custom figure: how density and stress went through its stages.
 
     read_a_run.py [FOLDER OF A RUN [OUTPUT]]
 

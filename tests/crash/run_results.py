@@ -1,4 +1,4 @@
-"""The results of a run as its finished stages tell them, without what tells how they came about."""
+"""The results of a run as its finished stages record them, without how they were computed."""
 
 import json
 

@@ -204,7 +204,7 @@ class Campaign:
 
     def follow_advice(self, output, run):
         """Removes what the message says and goes on. @return whether the results are the undamaged ones"""
-        for _ in range(4):  # damage may lie in two stages, told one after the other
+        for _ in range(4):  # damage may lie in two stages, reported one after the other
             advice = re.search(r"remove (.+?) and resume", output.stderr)
             if not advice:
                 return False

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Do what a page tells its reader to: run_page.py [--long] PAGE PROGRAM PYTHON_MODULES, from anywhere.
+"""Run the commands of a page: run_page.py [--long] PAGE PROGRAM PYTHON_MODULES, from anywhere.
 
 A comment before a block of the page, indented or fenced, says what the block is:
 

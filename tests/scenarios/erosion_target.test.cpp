@@ -30,10 +30,10 @@ TEST(ErosionTarget, EndsTheStageWithThePassThatReachesIt) {
     const json little = stage_of(folder.path(), "little"), pass = little.at("passes").at(0);
     EXPECT_EQ(little.at("passes").size(), 1U);
     EXPECT_TRUE(pass.at("reached_target"));
-    EXPECT_NE(pass.at("verdict").get<std::string>().find("5 % was asked for"), std::string::npos);
+    EXPECT_NE(pass.at("verdict").get<std::string>().find("5 % was specified"), std::string::npos);
     EXPECT_EQ(pass.at("ended").at("why"), "target reached");
     EXPECT_EQ(pass.at("ended").at("asked"), 0.05);
-    EXPECT_EQ(little.at("warnings").dump().find("asked for"), std::string::npos)
+    EXPECT_EQ(little.at("warnings").dump().find("was specified"), std::string::npos)
         << "a target that is met is no warning";
     const double solids = little.at("eroded_share_of_solids"), fines = little.at("eroded_share_of_fines");
     EXPECT_GE(fines, 0.05);
@@ -59,7 +59,7 @@ TEST(ErosionTarget, IsReachedAlthoughTheSkeletonFailsInThatPassAndBothAreReporte
     ASSERT_EQ(stage.at("passes").size(), 1U);
     const std::string verdict = stage.at("passes").at(0).at("verdict"), warnings = stage.at("warnings").dump();
     EXPECT_TRUE(stage.at("passes").at(0).at("reached_target"));
-    EXPECT_NE(verdict.find("was asked for; the coarse skeleton has 13 grains left"), std::string::npos) << verdict;
+    EXPECT_NE(verdict.find("was specified; the coarse skeleton has 13 grains left"), std::string::npos) << verdict;
     EXPECT_NE(warnings.find("the coarse skeleton has 13 grains left"), std::string::npos) << warnings;
 }
 
@@ -102,8 +102,8 @@ TEST(ErosionReport, DescribesAllErosionsAndNamesTheOneItShows) {
     run_text(swept + erosion("forced", "passes = 1\nwatch = 100\nramp = 100\n"), folder.path());
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("All erosions"), std::string::npos);
-    EXPECT_NE(page.find("2 erosions took "), std::string::npos);
-    EXPECT_NE(page.find("what follows is of s, forced, max_contacts 0"), std::string::npos);
+    EXPECT_NE(page.find("2 erosions removed "), std::string::npos);
+    EXPECT_NE(page.find("the following describes s, forced, max_contacts 0"), std::string::npos);
 }
 
 /// Runs to the first sign that the stage has a pass behind it, stops, and goes on to the end.

@@ -122,8 +122,8 @@ TEST(StudyReport, FiguresOneToSixHoldTheNumbersOfTheStages) {
     }
     const std::string page = read_all(folder / "run/report.html");
     for (const char* words :
-         {"id=\"fines-and-structure\"", "Asked: from which fines content", "study.s, stage loose: pressure",
-          "Strength and deformation", "How quiet each stage is"}) {
+         {"id=\"fines-and-structure\"", "Question: from which fines content", "study.s, stage loose: pressure",
+          "Strength and deformation", "Equilibrium of each stage"}) {
         EXPECT_NE(page.find(words), std::string::npos) << words;
     }
     // The case follows no paper: what the paper found is for those who ask the summary.
@@ -170,7 +170,7 @@ TEST(StudyReport, OfARunThatWasToEndEarlySaysThatItDidAndTheSummaryWhichStagesAr
     EXPECT_EQ(missing.size(), 2U * (3 + 4 + 2)) << missing; // of two seeds at 0, 20 and 100 %
     EXPECT_EQ(missing.at(0), "s/fc=0/rep=1/loose");
     const std::string page = read_all(folder / "run/report.html");
-    EXPECT_NE(page.find("The run ended with stage cloud, as asked"), std::string::npos);
+    EXPECT_NE(page.find("The run ended with stage cloud, as requested"), std::string::npos);
     EXPECT_EQ(page.find("<b>This run is not complete.</b> "), std::string::npos);
 }
 

@@ -235,7 +235,7 @@ TEST(Resume, AStateOfAnotherVersionWithinAStageIsRefusedOrLabeled) {
     io::save_world(partial, left.world, {}, {}, nlohmann::json::to_cbor(of_another));
     EXPECT_TRUE(run_text(text, folder.path()).failures.empty());
     const std::string warnings = stage_of(folder.path(), "initial").at("warnings").dump();
-    EXPECT_NE(warnings.find("s/initial: commit 0123456789 began it"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("s/initial: begun by commit 0123456789 "), std::string::npos) << warnings;
 }
 
 TEST(Resume, ATimeLimitOfZeroStopsAtOnceAndLeavesARunThatGoesOn) {

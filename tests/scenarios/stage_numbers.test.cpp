@@ -105,7 +105,7 @@ TEST(StageNumbers, AStressRatioThatIsPassedIsReportedAsARatioForTheDeviatorMayBe
         folder.path()
     );
     const std::string warnings = stage_of(folder.path(), "held").at("warnings").dump();
-    EXPECT_NE(warnings.find("asked to stop at q/p = 0.5, the test started at 0.6"), std::string::npos) << warnings;
+    EXPECT_NE(warnings.find("specified to stop at q/p = 0.5, the test started at 0.6"), std::string::npos) << warnings;
 }
 
 } // namespace

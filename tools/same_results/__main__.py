@@ -66,7 +66,7 @@ class Work:
                 self.done[one.name, job.name].set()
         except side.Stopped:
             pass
-        except Exception as error:  # told by the main thread, which waits
+        except Exception as error:  # reported by the main thread, which waits
             self.broken = error
         for event in (event for (name, _), event in self.done.items() if name == one.name):
             event.set()

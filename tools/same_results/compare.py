@@ -31,7 +31,7 @@ def listed(folder):
 
 
 def content(path, side):
-    """The bytes of a file without what tells which side wrote it."""
+    """The bytes of a file without what shows which side wrote it."""
     data = path.read_bytes()
     if path.suffix in (".h5", ".png"):
         return data

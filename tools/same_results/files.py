@@ -15,7 +15,7 @@ from trees import Array, Literal
 
 VTK_LETTERS = {"Float32": "f", "Float64": "d", "Int64": "q", "UInt32": "I", "UInt8": "B"}
 WALL_TIME = "time [s]"  # heads the column of a report's stages that differs from run to run
-SUMMARIES = ("provenance", "calls")  # tables that tell who ran what and when
+SUMMARIES = ("provenance", "calls")  # tables of who ran what and when
 PACKED = ("report-data", "scene-data")  # elements of the page that hold the data of its script
 
 
