@@ -1,5 +1,5 @@
 #pragma once
-// The share of the stress that fines carry, from the samples of a run: what a grading cannot tell.
+// The share of the stress that fines carry, from the samples of a run: what a grading does not show.
 
 #include "suffuse/stability/assess.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-// The command line -> what is asked for: a verb with its options, or a text. Wrong use is reported with the nearest
+// The command line -> what is requested: a verb with its options, or a text. Wrong use is reported with the nearest
 // word that would have been right.
 
 #include <memory>

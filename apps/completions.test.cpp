@@ -37,7 +37,7 @@ std::string output_of(const std::string& command) {
     return pclose(pipe) == 0 ? text : "FAILED\n" + text;
 }
 
-/// Long flags of a verb as its own help tells them.
+/// Long flags of a verb as its own help shows them.
 std::set<std::string> flags_in(const std::string& help) {
     std::set<std::string> flags;
     std::istringstream words(help);

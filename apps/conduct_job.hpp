@@ -1,5 +1,5 @@
 #pragma once
-// What run and resume have in common: a case is planned, run to its end with its progress shown, and its end told.
+// What run and resume have in common: a case is planned, run to its end with its progress shown, and its end reported.
 
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/plan/plan.hpp"
@@ -27,8 +27,8 @@ struct Job {
     plan::RunPlan plan;
 };
 
-/// The plan without what the folder or the cache holds, what comes after the stage asked for as the last, and other
-/// samples than the one asked for alone; for as many samples side by side as its memory holds. @throws IoError where
+/// The plan without what the folder or the cache holds, what comes after the requested last stage, and other
+/// samples than the only one requested; for as many samples side by side as its memory holds. @throws IoError where
 /// it holds none.
 plan::RunPlan plan_rest(const Job& job);
 

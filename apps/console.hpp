@@ -35,7 +35,7 @@ public:
     void error(std::string_view text, bool rendered = false) const;
 
     /// Brings what was written to its end. @throws IoError where standard output cannot take it; but a reader that has
-    /// left, as `head` does when it has enough, has asked for no more.
+    /// left, as `head` does when it has enough, has requested no more.
     void finish() const;
 
     [[nodiscard]] bool wants_json() const { return json_; }

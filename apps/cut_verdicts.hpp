@@ -1,6 +1,6 @@
 #pragma once
-// Internal stability of a grading as given beside that of the part which a sample models: the criteria read the ends of
-// a curve, so a cut can turn their verdicts.
+// Internal stability of a grading as given next to that of the part which a sample models: the criteria read the ends
+// of a curve, so a cut can turn their verdicts.
 
 #include "suffuse/grains/soil.hpp"
 

@@ -32,7 +32,7 @@ LiveReport::LiveReport(
     for (const plan::StageEstimate& stage : plan.stages) {
         if (stage.is_cached) {
             stages_.push_back({stage.study, stage.stage, stage.verb, "done", "earlier", ""});
-        } else if (stage.seconds.most > 0) { // the others are not asked for
+        } else if (stage.seconds.most > 0) { // the others are not requested
             stages_.push_back(
                 {stage.study, stage.stage, stage.verb, "waits", duration_range_text(stage.seconds) + " by the plan", ""}
             );
@@ -50,7 +50,7 @@ LiveReport::Stage& LiveReport::stage_of(const run::Progress& progress) {
         return *found;
     }
     return stages_.emplace_back(Stage{progress.study, progress.stage, progress.verb, "", "", ""}
-    ); // asked for by results
+    ); // requested by results
 }
 
 void LiveReport::learn(const run::Progress& progress) {

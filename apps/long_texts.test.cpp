@@ -1,4 +1,4 @@
-// Texts of a megabyte in files of strangers: a message quotes their beginning and their end.
+// Texts of a megabyte in foreign files: a message quotes their beginning and their end.
 
 #include "tests/support/program.hpp"
 #include <algorithm>

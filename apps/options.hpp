@@ -22,7 +22,7 @@ public:
     Option& type(const std::string& name); ///< what stands for its value in the help
     Option& required();
     Option& one_of(const std::vector<std::string>& words);
-    /// Words that a shell may complete; others are taken, too. The function is asked where they are wanted.
+    /// Words that a shell may complete; others are taken, too. The function is called where they are needed.
     Option& suggest(const std::vector<std::string>& words);
     Option& suggest(std::vector<std::string> (*words)());
     Option& whole_number(std::int64_t least, std::int64_t most);

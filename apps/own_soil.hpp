@@ -11,7 +11,7 @@
 
 namespace suffuse::apps {
 
-/// Grains of a quick sample unless others are asked for. How long it runs depends on its sizes too: what is much finer
+/// Grains of a quick sample unless specified otherwise. How long it runs depends on its sizes too: what is much finer
 /// needs stiffer contacts, and those shorter steps.
 inline constexpr double most_quick_grains = 20'000;
 
@@ -24,7 +24,7 @@ struct OwnSoil {
     double fines_content = 0;      ///< of the modeled curve [-]
     std::string reason;            ///< why that size
     std::int64_t quick_grains = 0; ///< of the quick preset
-    bool is_size_given = false;    ///< so many were asked for
+    bool is_size_given = false;    ///< so many were requested
 };
 
 /// Sizes [m] between which a curve is modeled.

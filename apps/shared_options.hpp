@@ -50,12 +50,12 @@ struct CacheOptions {
 
     [[nodiscard]] bool is_requested() const { return is_off || !folder.empty(); }
 
-    /// What is asked for, or `usual` where nothing is; empty: no cache.
+    /// What is requested, or `usual` where nothing is; empty: no cache.
     [[nodiscard]] std::filesystem::path folder_or(const std::filesystem::path& usual) const;
 };
 
-/// The cache of a run that goes on: what is asked for, else suffuse-cache beside the run. Its folder, which may be a
-/// stranger's, chooses none unless the user trusts it; what the earlier call had is printed.
+/// The cache of a run that goes on: what is requested, else suffuse-cache next to the run. Its folder, which may be
+/// from someone else, chooses none unless the user trusts it; what the earlier call had is printed.
 std::filesystem::path cache_to_go_on(
     const CacheOptions& requested, const std::filesystem::path& run, bool is_trusted, const Console& console
 );
@@ -73,7 +73,7 @@ struct RunLimits {
 
     void add_to(Options& options);
 
-    /// [s], without end unless asked for. @throws UsageError where it is no time.
+    /// [s], without end unless specified. @throws UsageError where it is no time.
     [[nodiscard]] double seconds() const { return time_limit_of(time_limit); }
 };
 
@@ -82,7 +82,7 @@ struct MemoryOption {
     std::string requested;
 
     void add_to(Options& options);
-    /// [B], a share of the machine's unless asked for. @throws UsageError where it is no amount.
+    /// [B], a share of the machine's unless specified. @throws UsageError where it is no amount.
     [[nodiscard]] double bytes() const;
 };
 
@@ -101,7 +101,7 @@ struct PackingOutput {
     std::string file, format;
 
     void add_to(Options& options);
-    /// As asked, or by the file's ending. @throws UsageError.
+    /// As specified, or by the file's ending. @throws UsageError.
     [[nodiscard]] io::PackingFormat chosen_format() const;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a disk lacks for a run, told before the run is started; memory is a bound (plan/fit_memory.hpp).
+// What a disk lacks for a run, reported before the run is started; memory is a bound (plan/fit_memory.hpp).
 
 #include "suffuse/plan/plan.hpp"
 

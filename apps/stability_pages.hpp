@@ -17,7 +17,7 @@ std::filesystem::path write_soil_page(
     const std::filesystem::path& folder, const std::string& command
 );
 
-/// The same for all soils together: their curves over each other, their verdicts beside each other.
+/// The same for all soils together: their curves over each other, their verdicts side by side.
 std::filesystem::path write_overlay_page(
     const std::vector<job::AssessedSoil>& soils, const nlohmann::json& matrix, const std::filesystem::path& folder,
     const std::string& command

@@ -84,7 +84,7 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
     EXPECT_NE(output().find("1 of 3 samples done"), std::string::npos) << output();
     EXPECT_NE(output().find("suffuse sweep parts --emit parallel writes tasks"), std::string::npos) << output();
     const std::filesystem::path provenance = folder / "parts/provenance.json";
-    const std::string old = "2000-01-01T00:00:00Z"; // seconds may be too few to tell one gathering from the next
+    const std::string old = "2000-01-01T00:00:00Z"; // seconds may be too few to distinguish one gathering from the next
     auto first = nlohmann::json::parse(read_all(provenance));
     first.at("finished") = old;
     std::ofstream(provenance) << first;

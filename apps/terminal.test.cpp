@@ -286,7 +286,7 @@ TEST(TimeLeft, IsSharedAmongSamplesButNoLessThanTheLongest) {
     plan.speed.at_once = 2;
     plan.stages[2].study = "two";
     const Range two = stages_of_100_to_200(2), three = stages_of_100_to_200(3);
-    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, two.most); // the two stages of "one"; "two" runs beside them
+    EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, two.most); // the two stages of "one"; "two" runs next to them
     plan.stages[1].study = "three";
     EXPECT_DOUBLE_EQ(TimeLeft(plan).left().most, three.most / 2); // three samples in two rows, if they could be cut
     TimeLeft left(plan);

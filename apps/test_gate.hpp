@@ -1,6 +1,6 @@
 #pragma once
 // Holds a run within a stage until a test lets it go on. So what is tested of a signal, or of a second program, does
-// not hang on the speed of the machine. Only tests set the variable SUFFUSE_TEST_GATE, to STUDY/SAMPLE/STAGE=FIFO.
+// not depend on the speed of the machine. Only tests set the variable SUFFUSE_TEST_GATE, to STUDY/SAMPLE/STAGE=FIFO.
 
 #include "suffuse/run/run_options.hpp"
 

@@ -29,7 +29,7 @@ private:
 
     plan::RunPlan plan_;
     int listed_ = 0;                  ///< samples, before any was refined
-    int refined_done_ = 0;            ///< samples beside them
+    int refined_done_ = 0;            ///< samples next to them
     std::map<Row, double> running_;   ///< stage -> seconds that it took so far
     double pace_ = 1;                 ///< priced speed of the stage that runs over its own [-]
     double taken_ = 0, expected_ = 0; ///< by the stages that are done [s]

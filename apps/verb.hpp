@@ -31,7 +31,7 @@ public:
     /// Describes its options, which are members with their defaults.
     virtual void add_to(Options&) {}
 
-    /// Tells wrong use that a single option does not show, before anything else is looked at. @throws UsageError.
+    /// Reports wrong use that a single option does not show, before anything else is looked at. @throws UsageError.
     virtual void check() const {}
 
     /// What is to be printed at once, for a verb that describes the program itself; empty: it acts.

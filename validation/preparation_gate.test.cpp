@@ -108,7 +108,7 @@ TEST(PreparationGate, FaithfulLiesWithinTwoDeviationsOfSlow) {
     }
 }
 
-// Means of two dozen seeds can be told apart where they differ by more than a third of a deviation. Ten independent
+// Means of two dozen seeds can be distinguished where they differ by more than a third of a deviation. Ten independent
 // means lie within three standard errors in 97 of 100 cases.
 TEST(PreparationGate, FastModePreparesTheSamplesOfReferenceMode) {
     constexpr int many = 24;

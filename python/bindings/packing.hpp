@@ -14,7 +14,7 @@ struct Packing {
     Mat3 h;
     std::vector<Vec3> position;
     std::vector<double> radius;
-    std::vector<std::uint8_t> fine; ///< of a World only: arrays do not tell
+    std::vector<std::uint8_t> fine; ///< of a World only: arrays do not have it
 };
 
 /// @param first a World, what has one (a stage of a run), the network of a packing, or a cell. @throws CaseError where

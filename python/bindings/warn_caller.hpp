@@ -1,5 +1,5 @@
 #pragma once
-// What a case would be warned of or marked for, told to a caller from Python.
+// What a case would be warned of or marked for, reported to a caller from Python.
 
 #include <pybind11/pybind11.h>
 #include <string>

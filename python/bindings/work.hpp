@@ -81,7 +81,7 @@ private:
     std::unique_lock<std::timed_mutex> turn_{mutex(), std::defer_lock};
 };
 
-/// For long work that has nothing to tell: ends it at Ctrl-C.
+/// For long work that has nothing to report: ends it at Ctrl-C.
 inline Pulse look_at_signals() {
     return [](std::string_view, long long) {
         const Holding interpreter;

@@ -2,7 +2,7 @@
 // A world as Python holds it, and NumPy arrays that look into it without copying. An array keeps alive what it looks
 // into. Where rows are about to be added, removed or reordered while arrays look at them, those arrays keep the old
 // rows, to themselves, and the world goes on with new ones: nobody ever looks at freed memory. While a call steps a
-// world, other threads of Python are refused: they would read what is half done. Who asks holds the interpreter.
+// world, other threads of Python are refused: they would read what is half done. The caller holds the interpreter.
 
 #include "suffuse/dem/step.hpp"
 #include "suffuse/grains/soil.hpp"
@@ -28,10 +28,10 @@ public:
     /// For changes that leave every column where it is. @throws StateError likewise
     [[nodiscard]] dem::World& world();
 
-    /// For changes of the rows. @throws StateError while a call steps or reads it, even where that tells its progress
+    /// For changes of the rows. @throws StateError while a call steps or reads it, even where that shows its progress
     dem::World& world_for_new_rows();
 
-    /// Kept alive by arrays, beside the handle itself: the rows that they look into once the world has moved on.
+    /// Kept alive by arrays, next to the handle itself: the rows that they look into once the world has moved on.
     [[nodiscard]] std::shared_ptr<const void> rows_of_views() const { return kept_; }
 
     /// Whether it may be looked at now.

@@ -1,5 +1,5 @@
 #pragma once
-// What triaxial tests found, in sentences, where the comparison of strength before and after does not tell it.
+// What triaxial tests found, in sentences, where the comparison of strength before and after does not contain it.
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/strength_change.hpp"

@@ -25,7 +25,7 @@ struct Headline {
 /// Adds that there is no replicate where nothing else is known of the uncertainty.
 Headline with_certainty(Headline headline, std::size_t samples);
 
-/// Of an erosion: mass carried out, permeability, loss of mean stress at constant volume; those that the run can tell.
+/// Of an erosion: mass carried out, permeability, loss of mean stress at constant volume; those that the run has.
 /// @param outcome over the seeds; of one sample where null
 std::vector<Headline>
 erosion_headlines(const erosion::ErosionResult& erosion, const flow::Fluid& fluid, const study::OutcomePoint* outcome);
@@ -46,7 +46,7 @@ std::vector<Headline> fines_headlines(const std::vector<study::ContentThreshold>
 /// "10 %", "0.05", "30°": a value of a swept key as written in the case.
 std::string value_in_words(const study::SweepPoint& at, std::size_t key);
 
-/// The value of a result at one point, as told: "13 %", "0.30", "338 kPa".
+/// The value of a result at one point, as reported: "13 %", "0.30", "338 kPa".
 std::string result_text(study::Result which, double value, const flow::Fluid& fluid);
 
 /// Whether its text is "none".

@@ -12,9 +12,9 @@ namespace suffuse::answer {
 struct Opening {
     std::vector<std::string> verdict;      ///< one to three sentences of at most 20 words
     std::string confidence;                ///< "One sample", "Three samples each": in a box
-    std::string about_confidence;          ///< what is not known, and the call that would tell
+    std::string about_confidence;          ///< what is not known, and the call that would measure it
     std::vector<Headline> cards;           ///< at most six, the first answers the question
-    std::vector<std::string> disagreement; ///< of two answers: told in the open
+    std::vector<std::string> disagreement; ///< of two answers: stated in the opening
     /// Ids of figures, those that decide first: the first two that the report has are shown in the first screen.
     std::vector<std::string> pictures;
     bool shows_grains = false; ///< the sample before and after decides more than any curve

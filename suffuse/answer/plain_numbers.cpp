@@ -13,8 +13,8 @@ namespace suffuse::answer {
 namespace {
 
 constexpr double in_percent = 100;
-constexpr double least_percent = 0.1; // told: one grain of a thousand
-constexpr double least_change = 1e-3; // told: of a change, less is rounding and the balance's noise
+constexpr double least_percent = 0.1; // reported: one grain of a thousand
+constexpr double least_change = 1e-3; // reported: of a change, less is rounding and the balance's noise
 constexpr int digits_of_percent = 2;
 
 } // namespace

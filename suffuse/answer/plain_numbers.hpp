@@ -1,6 +1,6 @@
 #pragma once
 // Numbers as people write them, for what stands large on the page: two or three digits, a true minus, a unit, and
-// beside the mean a deviation with the mean's own digits. Never a power of ten where a word says it.
+// compared with the mean a deviation with the mean's own digits. Never a power of ten where a word says it.
 
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/study/study_curves.hpp"

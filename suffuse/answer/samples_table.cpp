@@ -93,7 +93,7 @@ std::string cell(const OutcomePoint& point, Result which, const flow::Fluid& flu
     return result_text(which, value->mean, fluid) + (spread.empty() ? "" : " " + spread);
 }
 
-/// A number of the loose state, as told with its deviation; "–" where no seed has it.
+/// A number of the loose state, as reported with its deviation; "–" where no seed has it.
 std::string structure_text(const study::FinesStudy& fines, std::size_t row, const char* number, int decimals) {
     const Scatter value = study::number_of(fines.loose.points[row], fines.fines_content[row], number);
     const std::string spread = spread_text(value, 1, decimals);

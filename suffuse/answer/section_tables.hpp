@@ -11,7 +11,7 @@
 
 namespace suffuse::answer {
 
-/// Permeability of every state whose flow was solved, and conductivity for the fluid, beside Kozeny and Carman's for
+/// Permeability of every state whose flow was solved, and conductivity for the fluid, next to Kozeny and Carman's for
 /// spheres of the sample's Sauter diameter, k = n^3 d^2/(180 (1 - n)^2) [Carman 1937]; nothing where there was no flow.
 std::optional<figures::PageTable> tabulate_water(
     const std::filesystem::path& folder, const std::vector<record::FinishedStage>& stages,

@@ -1,5 +1,5 @@
 #pragma once
-// The change of strength as the report tells it: sentences of the answer, a number for the eye, a table.
+// The change of strength as the report shows it: sentences of the answer, a number for the eye, a table.
 
 #include "suffuse/answer/headlines.hpp"
 #include "suffuse/figures/page_table.hpp"

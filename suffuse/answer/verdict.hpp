@@ -1,6 +1,5 @@
 #pragma once
-// What a run found in one look: one to three sentences of at most 20 words, a line each, of the question that was
-// asked.
+// What a run found in one look: one to three sentences of at most 20 words, a line each, on its question.
 
 #include "suffuse/study/run_results.hpp"
 

@@ -18,7 +18,7 @@ struct Diagnostic {
     int length = 1;           ///< characters to underline
     std::string source_line;  ///< the line itself; empty where there is none
     std::string message;
-    std::string label; ///< short, beside the carets
+    std::string label; ///< short, next to the carets
     std::string help;  ///< one thing to do
     bool is_warning = false;
 };
@@ -36,7 +36,7 @@ std::string line_of(const Source& source, int line);
 /// Collects problems while a case is read.
 class Problems {
 public:
-    /// `label` stands beside the carets, `help` below; both may be empty.
+    /// `label` stands next to the carets, `help` below; both may be empty.
     void
     error(std::string code, const Place& place, std::string message, std::string help = {}, std::string label = {});
     void

@@ -14,12 +14,12 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// What was asked for, by a flag or an argument, cannot be; the message ends with what to do.
+/// What was requested, by a flag or an argument, cannot be; the message ends with what to do.
 struct UsageError : Error {
     using Error::Error;
 };
 
-/// A case or data file asks for something that cannot be. The message is complete as it stands, place included.
+/// A case or data file requests something impossible. The message is complete as it stands, place included.
 struct CaseError : Error {
     CaseError(const std::string& message, std::string file_path = {}, int line_number = 0)
         : Error(message), file(std::move(file_path)), line(line_number) {}
@@ -52,7 +52,7 @@ struct IoError : Error {
     using Error::Error;
 };
 
-/// A long stage was asked to stop (Ctrl-C, time limit); the state has been saved or is as before the call.
+/// A long stage was requested to stop (Ctrl-C, time limit); the state has been saved or is as before the call.
 struct Interrupted : Error {
     using Error::Error;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// How work would scale, seen on one thread: the time within parallel loops, block by block, beside the time outside
+// How work would scale, seen on one thread: the time within parallel loops, block by block, next to the time outside
 // them. What lies outside stays with one thread however many there are (Amdahl 1967), and a loop takes no less than its
 // longest block. Times are of the thread's processor, so other programs disturb them little.
 

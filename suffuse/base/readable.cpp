@@ -26,7 +26,7 @@ std::string cut(std::string_view text, std::size_t most) {
     return std::string(text.substr(0, kept)).append("…").append(text.substr(rest));
 }
 
-/// A mark within a quotation stands beside more of it, or behind a backslash.
+/// A mark within a quotation stands next to more of it, or behind a backslash.
 bool closes(std::string_view line, std::size_t mark) {
     const char next = mark + 1 < line.size() ? line[mark + 1] : ' ';
     const bool is_within = (next >= '0' && next <= '9') || (next >= 'A' && next <= 'Z') || (next >= 'a' && next <= 'z');

@@ -6,7 +6,7 @@
 namespace suffuse {
 
 /// In use now [bytes].
-/// @throws Error where the system does not tell.
+/// @throws Error where the system does not report it.
 std::int64_t resident_bytes();
 
 /// The most in use since `forget_peak` [bytes].

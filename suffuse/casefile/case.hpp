@@ -1,5 +1,5 @@
 #pragma once
-// A case: what the user asked for, as one Spec per module, in SI, with every default in place. A study is written once;
+// A case: what the user requested, as one Spec per module, in SI, with every default in place. A study is written once;
 // its variants are the copies that sweeps and replicates make of it, ready to be run one after the other.
 
 #include "suffuse/base/vec3.hpp"

@@ -14,7 +14,7 @@
 
 namespace suffuse::casefile::testing {
 
-/// A folder of this process with the data files that cases ask for; goes with the process.
+/// A folder of this process with the data files that cases name; goes with the process.
 struct DataFolder {
     std::string path = ::testing::TempDir() + "suffuse_casefile_" + std::to_string(::getpid());
 
@@ -82,7 +82,7 @@ pressure = "100 kPa"
 /// One more stage for its study.
 inline const std::string erode_stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
 
-/// A case that uses every key which can stand beside the others.
+/// A case that uses every key which can stand next to the others.
 inline const std::string full_case = R"(schema = 1
 title = "All \"keys\"\n and a tab\t"
 paper = "none"

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a stage can measure what its key `measure` asks for.
+// Whether a stage can measure what its key `measure` requests.
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/casefile/reader.hpp"

@@ -16,7 +16,7 @@ struct ImportSpec {
     std::optional<Mat3> velocity_gradient =
         {};                   ///< that the file's velocities contain; found in them unless given [1/s]
     double max_overlap = 0.1; ///< largest overlap that is accepted / radius of the smaller grain [-]
-    std::string place;        ///< where the case asks for it, "case.toml:31:11", for messages
+    std::string place;        ///< where the case names it, "case.toml:31:11", for messages
 };
 
 } // namespace suffuse::casefile

@@ -11,7 +11,7 @@
 
 namespace suffuse::casefile {
 
-/// Applies [presets.NAME]; "standard" needs no table and is the case as written. `asked` is where the name stands.
+/// Applies [presets.NAME]; "standard" needs no table and is the case as written. `preset_place` is where the name is.
 /// @param weighs fines have weight: what a preset says of probes without it is passed over
 void apply_preset(Node& root, const std::string& name, const Place& preset_place, bool weighs, Problems& problems);
 

@@ -57,7 +57,7 @@ TEST(PhysicsChecks, AProbeHasOneFlow) {
     EXPECT_EQ(problems_of(probe + "solver = \"auto\"\nresolve = 8\n").size(), 0U);
     EXPECT_EQ(find_problem(problems_of(probe + "solver = \"network\"\nresolve = 8\n"), "E207").line, 18);
     const std::string flow = good_case + "[[study.one.stage]]\nname = \"f\"\ndo = \"flow\"\ngradient = 0.1\n";
-    EXPECT_EQ(problems_of(flow + "solver = \"network\"\nresolve = 8\n").size(), 0U); // both, beside each other
+    EXPECT_EQ(problems_of(flow + "solver = \"network\"\nresolve = 8\n").size(), 0U); // both, side by side
 }
 
 TEST(PhysicsChecks, TestsAndErosionNeedASampleThatCarriesAStress) {

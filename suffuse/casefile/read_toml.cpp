@@ -97,8 +97,8 @@ struct Slip {
     std::string message, help;
 };
 
-/// What is wrong with `key = value`, where it is one of the slips that people make most, and of which the parser tells
-/// only how it stumbled: a text or a unit without quotes, a quote that is missing at the end, a decimal comma.
+/// What is wrong with `key = value`, where it is one of the slips that people make most, and of which the parser
+/// reports only how it stumbled: a text or a unit without quotes, a quote that is missing at the end, a decimal comma.
 std::optional<Slip> find_slip(std::string_view line) {
     const std::size_t mark = line.find('=');
     const std::string_view key = io::trimmed(line.substr(0, mark));

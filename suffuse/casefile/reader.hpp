@@ -83,7 +83,7 @@ public:
         }
     }
 
-    /// The value of a key, or null; a key that is asked for counts as known, one that must be there and is not is a
+    /// The value of a key, or null; a key that is requested counts as known, one that must be there and is not is a
     /// problem.
     const Node* take(std::string_view key);
 

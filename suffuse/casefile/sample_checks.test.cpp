@@ -58,7 +58,7 @@ TEST(SampleChecks, FewFinesOrFewCoarseGrainsAreDoubtful) {
 
 TEST(SampleChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
     const Diagnostic outside = find_problem(problems_of(replaced(good_case, "0.15 mm", "1 mm")), "E606");
-    EXPECT_EQ(outside.line, 4); // where the size is asked for
+    EXPECT_EQ(outside.line, 4); // where the size is requested
     EXPECT_EQ(outside.column, 24);
     EXPECT_NE(outside.message.find("leaves no fines or no skeleton"), std::string::npos);
     const Diagnostic few =

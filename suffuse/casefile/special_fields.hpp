@@ -15,7 +15,7 @@ void snapshot_field(Writer& v, const Snapshots& s);
 void overlay_field(Reader& v, std::map<std::string, std::string>& overlay);
 void overlay_field(Writer& v, const std::map<std::string, std::string>& overlay);
 
-/// Path of the packing, taken from the case's folder, and where it was asked for.
+/// Path of the packing, taken from the case's folder, and where it was requested.
 void packing_field(Reader& v, ImportSpec& s);
 void packing_field(Writer& v, const ImportSpec& s);
 
@@ -54,7 +54,7 @@ void check_law(Writer& v, const grains::Material& m);
 void check_start(Reader& v, const packing::CompactSpec& s);
 void check_start(Writer& v, const packing::CompactSpec& s);
 
-/// One void ratio is asked for at most.
+/// One void ratio is requested at most.
 void check_void_ratio(Reader& v, const packing::CompactSpec& s);
 void check_void_ratio(Writer& v, const packing::CompactSpec& s);
 
@@ -62,7 +62,7 @@ void check_void_ratio(Writer& v, const packing::CompactSpec& s);
 void check_skeleton_first(Reader& v, const packing::CompactSpec& s);
 void check_skeleton_first(Writer& v, const packing::CompactSpec& s);
 
-/// Shear stresses are released by the secant servo, beside stresses that are held.
+/// Shear stresses are released by the secant servo, while other stresses are held.
 void check_shear_stresses(Reader& v, const packing::CompactSpec& s);
 void check_shear_stresses(Reader& v, const dem::SettleSpec& s);
 

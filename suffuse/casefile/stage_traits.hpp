@@ -1,5 +1,5 @@
 #pragma once
-// What sets the verbs of a stage apart: one row a verb, of all that other rooms ask without looking at a stage's
+// What sets the verbs of a stage apart: one row a verb, of all that other rooms need without looking at a stage's
 // values. What needs the values is a std::visit with an overload for every verb. So a verb that is forgotten does not
 // compile.
 
@@ -31,7 +31,7 @@ struct StageTraits {
     Needs needs = Needs::Nothing;
     bool only_looks = false;       ///< leaves the state as it found it
     bool has_water = false;        ///< what it does depends on the fluid
-    bool needs_fines_rule = false; ///< takes fines out, or asks which would leave
+    bool needs_fines_rule = false; ///< removes fines, or finds which would leave
     bool loses_grains = false;
     bool ends_balanced = false; ///< under the stresses held
     bool keeps_path = false;    ///< a test from its end is the same test as one from its start
@@ -40,7 +40,7 @@ struct StageTraits {
 
     [[nodiscard]] constexpr bool makes_sample() const { return origin != Origin::Before; }
 
-    /// Whether it asks which fines the water would take.
+    /// Whether it finds which fines the water would take.
     [[nodiscard]] constexpr bool probes_fines() const { return has_water && needs_fines_rule; }
 
     /// Whether water takes grains out.

@@ -39,7 +39,7 @@ inline void check_hold(Writer&, const erosion::ProbeSpec&, bool) {}
 void gradients_field(Reader& v, erosion::DetachStageSpec& s);
 void gradients_field(Writer& v, const erosion::DetachStageSpec& s);
 
-/// With weight the gradients rise; without it none is asked for.
+/// With weight the gradients rise; without it none is requested.
 void check_ramp(Reader& v, const erosion::DetachStageSpec& s);
 
 inline void check_ramp(Writer&, const erosion::DetachStageSpec&) {}

@@ -7,10 +7,10 @@
 
 namespace suffuse::casefile {
 
-/// Whether the stage asks what moves of fines that have weight: it needs fines, and a coarse skeleton.
+/// Whether the stage finds which fines move against their weight: it needs fines, and a coarse skeleton.
 bool weighs_fines(const Stage& stage);
 
-/// Which stages know weight, or what it would change; empty where no stage asks what water takes.
+/// Which stages know weight, or what it would change; empty where no stage finds what water removes.
 std::string weight_sentence(const Case& what);
 
 } // namespace suffuse::casefile

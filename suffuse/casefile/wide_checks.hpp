@@ -1,5 +1,5 @@
 #pragma once
-// What a wide grading asks of a compaction: a stiffness with which fine grains caught between coarse ones do not
+// What a wide grading requires of a compaction: a stiffness with which fine grains caught between coarse ones do not
 // vanish in them, and a protocol that gets there. Estimates from the grading; the run itself measures.
 
 #include "suffuse/base/diagnostics.hpp"

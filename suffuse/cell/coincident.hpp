@@ -1,6 +1,6 @@
 #pragma once
-// Grains whose centers lie in one place, or in images of it: nothing tells which way they push each other, and no pore
-// lies between them.
+// Grains whose centers lie in one place, or in images of it: nothing determines which way they push each other, and no
+// pore lies between them.
 
 #include "suffuse/base/members.hpp"
 #include "suffuse/base/parallel.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// The servo: from the stress of this step and the loading asked for to the velocity gradient of the next.
+// The servo: from the stress of this step and the specified loading to the velocity gradient of the next.
 
 #include "suffuse/cell/servo.hpp"
 
@@ -17,7 +17,7 @@ secant_rate(const Loading& loading, const ServoState& servo, int a, double wante
     const double response = loading.servo.response * dt;
     const double drift = (stress - servo.mean_stress[a]) / response - servo.modulus[a] * servo.mean_rate[a];
     const double lead = (wanted - wanted_stress(loading, a, servo.mean_stress)) / response;
-    // A sample without contacts has no stiffness: any missing stress then asks for the largest rate.
+    // A sample without contacts has no stiffness: any missing stress then requires the largest rate.
     return ((wanted - stress) / response - drift + lead) / std::max(servo.modulus[a], 1e-300);
 }
 

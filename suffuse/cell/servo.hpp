@@ -47,7 +47,7 @@ inline bool holds_stress(const Loading& loading) {
     return !loading.velocity_gradient && std::ranges::any_of(loading.axis, holds);
 }
 
-/// Shear stresses are let go of beside stresses that are held, by the secant servo.
+/// Shear stresses are released while there are stresses that are held, by the secant servo.
 inline bool releases_shear(const Loading& loading) {
     return loading.shear_released && loading.servo.kind == ServoKind::Secant && holds_stress(loading);
 }

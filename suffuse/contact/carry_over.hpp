@@ -8,7 +8,7 @@
 
 namespace suffuse::contact {
 
-/// Which memory the contacts of a sample need beside the force, the bending moment and the normal.
+/// Which memory the contacts of a sample need besides the force, the bending moment and the normal.
 struct OptionalMemory {
     bool twisting = false;
     bool bonds = false;

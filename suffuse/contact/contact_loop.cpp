@@ -275,7 +275,7 @@ add_to_grains(const DomainWork<Real>& w, std::size_t begin, std::size_t rows, Ti
     }
 }
 
-/// Asks for the second grain of a contact to come, and for its sums.
+/// Prefetches the second grain of a contact, and for its sums.
 template <class Real>
 [[gnu::always_inline]] inline void fetch_second(const DomainWork<Real>& w, std::size_t c) {
     const auto* row = reinterpret_cast<const char*>(&w.grains[w.second[c]]);

@@ -64,7 +64,7 @@ Pressed press_contacts(
     }
     // Grains whose centers coincide push with the spring's largest stress. With shear, the sum of a force's components
     // stays below twice that until they are nearly there. And no mean stress reaches it. The quantum follows from the
-    // state alone, as the same bits after a resume ask for.
+    // state alone, as the same bits after a resume require.
     const double r = setting.largest_radius, most = law.most_stress, largest_force = 2 * most * r * r;
     const SumQuantum quantum(largest_force * 2 * r, most * setting.volume);
     const DomainWork<Real> work{

@@ -1,6 +1,6 @@
 #pragma once
 // The normal spring of elastic spheres [Hertz 1882], with the shear stiffness of Mindlin 1949 without slip, and all
-// that is asked of a spring: force H sqrt(R overlap) overlap, R = r1 r2/(r1 + r2).
+// that a spring must provide: force H sqrt(R overlap) overlap, R = r1 r2/(r1 + r2).
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/contact/lanes.hpp"

@@ -18,7 +18,7 @@ grains::Material glass() {
     material.modulus = 70e9;
     material.poisson = 0.3;
     material.rolling_stiffness = 0;
-    material.friction = 1.5; // hardly slips
+    material.friction = 1.5; // barely slips
     return material;
 }
 

@@ -101,7 +101,7 @@ struct Limits {
     Real touching;      ///< 1: force and memory, 0: none
 };
 
-/// What holds two grains together beside their springs.
+/// What holds two grains together besides their springs.
 template <class Real>
 struct Bond {
     Real bonded{};         ///< 1: not broken, 0: none

@@ -1,5 +1,5 @@
 #pragma once
-// The linear normal spring of the paper, kn = 2 E r1 r2/(r1 + r2) [reference 1.2], and all that is asked of a spring.
+// The linear normal spring of the paper, kn = 2 E r1 r2/(r1 + r2) [reference 1.2], and all that a spring must provide.
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/contact/spring.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// What the speed at which two grains part does to their contact, beside its springs: a spring that stiffens with the
+// What the speed at which two grains part does to their contact, besides its springs: a spring that stiffens with the
 // overlap lets go of shear [Mindlin 1949; as simplified by Agnolin and Roux 2007, appendix A], and dashpots damp.
 
 #include "suffuse/contact/lanes.hpp"

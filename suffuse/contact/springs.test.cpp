@@ -177,7 +177,7 @@ struct Bench {
 
     explicit Bench(grains::Material material) {
         material.rolling_stiffness = 0;
-        material.friction = 1.5; // hardly slips
+        material.friction = 1.5; // barely slips
         law = resolve_law(material);
         move(-overlap, 0);
     }

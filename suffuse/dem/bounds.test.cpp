@@ -76,7 +76,7 @@ TEST(MotionBound, StopsAStressThatIsFarBeyondTheHeldOneAndRises) {
     pressed.stress = Vec3{1e5, 2 * most_stress * 1e5, 1e5}; // put so, and being let go
     EXPECT_EQ(error_of(rest.world, rest.plan, risen, pressed), "");
     EXPECT_EQ(error_of(rest.world, rest.plan, risen, look_before(rest.world, true)), "");
-    rest.plan.loading.axis[1] = {}; // held in place: its stress is nobody's wish
+    rest.plan.loading.axis[1] = {}; // held in place: its stress is not controlled
     EXPECT_EQ(error_of(rest.world, rest.plan, risen, before), "");
 }
 

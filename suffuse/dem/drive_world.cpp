@@ -17,7 +17,7 @@ double computed_time_step(const World& world, const StepPlan& plan) {
 }
 
 /// Drag calms the vibrations of a skeleton, and grains that fall into new places creep through it: under a stress that
-/// is small beside the springs for millions of steps. What does not rest soon has its drag in one span of four.
+/// small compared with the springs for millions of steps. What does not rest soon has its drag in one span of four.
 bool falls_freely(std::int64_t steps) {
     constexpr std::int64_t span = 20'000; // most samples rest within the first
     return steps / span % 4 != 0;

@@ -26,7 +26,7 @@ Settling begin_settling(const World& world);
 /// equilibrium, not for a motion: the drag keeps inertia from knocking weak contacts open (an imported packing lost 27
 /// of its 7,210 active grains without it, and none with it). What has not found it after 20,000 steps is left without
 /// drag for three quarters of the time, for grains on their way to new places creep under it.
-/// @param plan loading, damping, mode, load; its time step where one is asked for, 0: computed
+/// @param plan loading, damping, mode, load; its time step where one is requested, 0: computed
 /// @param on_burst called after each burst, with whether it was the last
 /// @throws StateError when that takes more than `max_steps`, with what is still missing; and as bounds.hpp says
 void settle_world(

@@ -62,7 +62,7 @@ struct NextStep {
         contact::let_go(law, geometry, opening, dt, memory);
         const contact::Limits<double> limits = contact::predict_forces<true, true>(law, dt, pair, geometry, memory);
         if (limits.touching == 0) {
-            return; // what its springs hold as it opens is next to nothing
+            return; // what its springs hold as it opens is negligible
         }
         const double shear = law.shear_ratio * geometry.normal_stiffness, arms = shear * pair.radius_1 * pair.radius_2;
         taken.slip += taken_beyond(memory.shear_force, limits.slip, shear);

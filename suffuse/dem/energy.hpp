@@ -53,7 +53,7 @@ double spring_energy(const World& world);
 /// What the next step of this length takes, without load and drag. @param dt [s]; @param damping local [-]
 Dissipation measure_dissipation(const World& world, double dt, double damping);
 
-/// A balance that begins at the state `world`, at rest, whose stress and motion `seen` tells.
+/// A balance that begins at the state `world`, at rest, whose stress and motion `seen` has.
 EnergyBalance begin_balance(const World& world, const BalanceState& seen);
 
 /// Goes on to the state `world` of a later look. @param dt of the steps that led there [s]; @param damping local [-]

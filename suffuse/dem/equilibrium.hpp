@@ -18,7 +18,7 @@ struct Equilibrium {
     std::int64_t single_contact = 0; ///< of those, with one contact
 };
 
-/// @param load that acts on the grains beside their contacts, if any
+/// @param load that acts on the grains besides their contacts, if any
 Equilibrium measure_equilibrium(const World& world, const grains::GrainLoad* load = nullptr);
 
 } // namespace suffuse::dem

@@ -60,7 +60,7 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
     }
 }
 
-/// Asks for grains to come: others look at some of them while they press, and have them in their cache.
+/// Prefetches grains: others look at some of them while they press, and have them in their cache.
 [[gnu::always_inline]] inline void prefetch_rows(const GrainMove& w, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
         const auto* row = reinterpret_cast<const char*>(&w.rows[w.roster[k]]);

@@ -181,7 +181,7 @@ std::vector<double> Neighborhood::allow_motion(const World& world, const MovingR
         for (std::size_t g = begin; g < end; ++g) {
             const Vec3 position = xyz(rows[g].position);
             const Vec3 fluctuation = xyz(rows[g].velocity) - world.cell.velocity_gradient * position;
-            // What the watch cannot tell from rest must be little of what it allows.
+            // What the watch cannot distinguish from rest must be little of what it allows.
             const double blur = 8 * rounding_of(position - watch_.origin[g / contact::domain_grains]);
             allowance[g] = std::min(most, std::max(least_allowance_, blur) + seconds * norm(fluctuation));
         }

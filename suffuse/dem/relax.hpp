@@ -1,5 +1,5 @@
 #pragma once
-// Relaxation of an equilibrium far below what a loading stage asks for, at constant volume. A viscous drag against the
+// Relaxation of an equilibrium far below what a loading stage requires, at constant volume. A viscous drag against the
 // mean motion, chosen from the stiffest mode and the size of the sample, kills the slow modes that local damping leaves
 // ringing; where it does not get on, it lets the grains go for a while.
 

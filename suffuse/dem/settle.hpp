@@ -20,13 +20,14 @@ struct BalanceState {
     Mat3 stress{};                   ///< at the last look [Pa]
 };
 
-/// One burst. @return whether the state has been balanced for the patience asked: stress errors of all
+/// One burst. @return whether the state has been balanced for the specified patience: stress errors of all
 /// stress-controlled axes and unbalanced force below the limits of `spec`. Where they are to bear nothing, they bear
 /// less than 1e-8 of the modulus.
 bool settle_burst(World& world, StepCaches& caches, const StepPlan& plan, const BalanceSpec& spec, BalanceState& state);
 
 /// Whether a sample whose volume is held carries nothing any more: a millionth of the mean stress of before [Pa], or,
-/// where that was none, nothing at all for the patience asked. It rests then, and no balance of forces will tell so.
+/// where that was none, nothing at all for the specified patience. It rests then, and no balance of forces shows
+/// it.
 bool carries_nothing(
     const cell::Loading& loading, const BalanceSpec& spec, const BalanceState& state, double stress_before
 );

@@ -14,7 +14,7 @@
 namespace suffuse::dem {
 namespace {
 
-/// A cubic lattice pressed to about 100 kPa: at rest by symmetry, so that only what a test asks for is unbalanced.
+/// A cubic lattice pressed to about 100 kPa: at rest by symmetry, so that only what a test specifies is unbalanced.
 World pressed_lattice() {
     constexpr double r = 1e-4, spacing = 2 * r * (1 - 5.6e-4);
     World world = test::empty_world(3 * spacing);

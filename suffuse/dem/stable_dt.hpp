@@ -31,7 +31,7 @@ double highest_frequency(const World& world, int iterations = usual_iterations, 
 double
 pair_frequency(const grains::Material& material, double shear_ratio, const Inertia& first, const Inertia& second);
 
-/// What the motion to come will be like, beside the state of the world.
+/// What the motion to come will be like, besides the state of the world.
 struct MotionToCome {
     double damping = usual_damping; ///< local [-]
     double pressure = 0;            ///< that the sample is to bear soon, if more than it does [Pa]
@@ -55,7 +55,7 @@ inline constexpr double quicker_than_pair = 2;
 double stable_time_step(const World& world, const MotionToCome& to_come = {}, double safety = default_step_safety);
 
 /// Longer steps blow a sample up, or heat it while it seems to settle. @param damping local [-]
-/// @throws CaseError where the time step that somebody asks for [s] is beyond the stability limit of the world as it
+/// @throws CaseError where a specified time step [s] is beyond the stability limit of the world as it
 /// is, or of any two of its grains.
 void check_time_step(const World& world, double wanted, double damping);
 

@@ -12,7 +12,7 @@ namespace suffuse::erosion {
 /// detachable by neither: at i = 0 both return no grain.
 void judge_detachment(const DetachSpec& spec, ProbeResult& result);
 
-/// Whether what they do without fluid hides so many fines that the velocity rule cannot tell what the fluid detaches.
+/// Whether what they do without fluid hides so many fines that the velocity rule cannot show what the fluid detaches.
 bool noise_decides(const DetachSpec& spec, const ProbeResult& result);
 
 /// Whether of the grains that the velocity rule takes too many are not accepted by the displacement rule, which looks
@@ -35,7 +35,7 @@ inline bool has_clear_signal(const ProbeResult& result) {
 /// Whether an absolute speed, which knows no twin, decides by grains that the displacement rule does not accept.
 bool threshold_takes_noise(const DetachSpec& spec, const ProbeResult& result);
 
-/// The verdicts of the rule asked for.
+/// The verdicts of the specified rule.
 const std::vector<std::uint8_t>& verdicts(const DetachSpec& spec, const ProbeResult& result);
 
 } // namespace suffuse::erosion

@@ -62,8 +62,8 @@ TEST(Detachment, AGrainThatMovesWithoutFluidAsWellIsNotDetachableAndHidesNoOther
     EXPECT_EQ(probe.by_velocity[0], 0);
     EXPECT_EQ(probe.by_velocity[1], 0);
     EXPECT_EQ(std::accumulate(probe.by_velocity.begin(), probe.by_velocity.end(), 0), 38);
-    EXPECT_EQ(probe.hidden_by_noise, 1);              // the other would not be detachable beside a twin at rest either
-    EXPECT_EQ(probe.twin_noise, probe.twin_speed[0]); // told; it judges no grain
+    EXPECT_EQ(probe.hidden_by_noise, 1);              // the other would not be detachable with a twin at rest either
+    EXPECT_EQ(probe.twin_noise, probe.twin_speed[0]); // reported; it judges no grain
     EXPECT_FALSE(noise_decides({}, probe));
 }
 

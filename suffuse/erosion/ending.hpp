@@ -43,7 +43,7 @@ struct SkeletonRestless {
     bool operator==(const SkeletonRestless&) const = default;
 };
 
-/// As much has left as was asked.
+/// As much has left as was specified.
 struct TargetReached {
     double share = 0, specified = 0; ///< of the mass [-]
     ErodedTarget::Of of = ErodedTarget::Of::Fines;
@@ -59,7 +59,7 @@ struct NoneToRemove {
     bool operator==(const NoneToRemove&) const = default;
 };
 
-/// Of a result by another version, which tells it in words that this one does not use.
+/// Of a result by another version, which states it in words that this one does not use.
 struct OtherWording {
     std::string words;
 

@@ -119,7 +119,7 @@ TEST(Passage, MergedVoidsOfASimpleCubicSkeletonHaveEachSquareWindowOnce) {
         EXPECT_EQ(summary.count, expected);
         EXPECT_NEAR(summary.mean, window, 1e-12 * window); // rounding
         EXPECT_EQ(summary.mean, skeleton.constrictions.mean);
-        EXPECT_EQ(skeleton.by_merge[1].count, 3 * 64); // told whatever way was asked for
+        EXPECT_EQ(skeleton.by_merge[1].count, 3 * 64); // reported for every way, whichever was requested
     }
 }
 

@@ -13,7 +13,7 @@ namespace suffuse::erosion {
 
 class FilledSpace {
 public:
-    /// @param bin about the diameter of the spheres asked about [m]; wider bins are taken where those would be many
+    /// @param bin about the diameter of the spheres in question [m]; wider bins are taken where those would be many
     /// more than the `grains` that may fill them
     FilledSpace(const Mat3& h, double bin, std::size_t grains);
 

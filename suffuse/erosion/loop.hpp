@@ -16,7 +16,7 @@
 
 namespace suffuse::erosion {
 
-/// What the loop needs beside its own settings.
+/// What the loop needs besides its own settings.
 struct Surroundings {
     flow::Fluid fluid;
     dem::BalanceSpec balance;
@@ -39,7 +39,7 @@ bool erode_once(
     dem::World& world, const ErodeSpec& spec, const Surroundings& around, ErosionResult& result, PassUnderWay& now
 );
 
-/// @throws UsageError where an erosion of this kind asks no rule.
+/// @throws UsageError where an erosion of this kind uses no rule.
 void check_own_rule(const ErodeSpec& spec, const OwnRule& rule);
 
 /// Begins a result at the equilibrium `world`. @throws StateError where that carries no stress.

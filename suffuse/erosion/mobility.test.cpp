@@ -71,7 +71,7 @@ double pull_that_moves(const Pocket& pocket, const Vec3& direction, std::vector<
     return unit * find_mobility(pocket.world, setting, pull_along(pocket, direction)).mobile_gradient.front();
 }
 
-/// What is found is the first step above theory, or one or two later: a grain that hardly moves is taken to rest.
+/// What is found is the first step above theory, or one or two later: a grain that barely moves is taken to rest.
 void expect_just_above(double found, double theory) {
     EXPECT_GT(found, 0.995 * theory); // overlaps of a thousandth of the radius
     EXPECT_LT(found, 1.035 * theory);

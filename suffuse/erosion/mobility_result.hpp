@@ -84,13 +84,13 @@ std::optional<double> mobile_share_at(const MobilityResult& mobility, double gra
 /// Whether that share is a lower bound: with a longer hold as much or more would move.
 bool is_lower_bound(const MobilityResult& mobility, double gradient);
 
-/// The gradient that moves 1 % of the fines over the asked one.
+/// The gradient that moves 1 % of the fines over the specified one.
 struct FactorOfSafety {
     std::optional<double> factor; ///< nothing where the ramp ends before
-    double at_least = 0; ///< then it is at least this: the last step of the ramp below heave over the asked one
+    double at_least = 0; ///< then it is at least this: the last step of the ramp below heave over the specified one
 };
 
-/// Nothing where no gradient is asked for.
+/// Nothing where no gradient is requested.
 std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility);
 
 } // namespace suffuse::erosion

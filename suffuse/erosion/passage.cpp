@@ -93,7 +93,7 @@ bool passes(const CoarseSkeleton& skeleton, ConstrictionSize size, std::size_t g
         return d < skeleton.constrictions.d35;
     case ConstrictionSize::WidestPath:
         return d < skeleton.widest_path[g];
-    case ConstrictionSize::FlowPath: // asks the water: transport.hpp
+    case ConstrictionSize::FlowPath: // follows the water: transport.hpp
     case ConstrictionSize::None:
         break;
     }

@@ -12,7 +12,7 @@ namespace suffuse::erosion {
 
 /// The coarse grains alone, triangulated.
 struct CoarseSkeleton {
-    Constrictions constrictions; ///< between voids merged as asked
+    Constrictions constrictions; ///< between voids merged as specified
     ConstrictionsByMerge by_merge;
     std::vector<double> widest_path; ///< diameter of the widest path from where each grain of the world is [m]
 };

@@ -1,6 +1,6 @@
 #pragma once
 // Step 3 of the paper's procedure: the coarse grains of a copy are held, the fluid's forces act on its fines, and what
-// moves is watched. Beside it a twin without fluid, same hold and same steps, shows what would have moved anyway.
+// moves is watched. With it a twin without fluid, same hold and same steps, shows what would have moved anyway.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/spec.hpp"

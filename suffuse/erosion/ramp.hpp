@@ -24,7 +24,7 @@ inline std::vector<double> even_gradients(double up_to, std::int64_t steps) {
     return gradients;
 }
 
-/// Gradients up to this one in steps that tell what moves early from what moves late: 0.05, from 0.4 on 0.1.
+/// Gradients up to this one in steps that separate what moves early from what moves late: 0.05, from 0.4 on 0.1.
 inline std::vector<double> gradients_up_to(double last) {
     constexpr double early = 0.05, early_until = 0.4, late = 0.1;
     std::vector<double> gradients;

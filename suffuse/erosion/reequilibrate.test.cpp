@@ -59,7 +59,7 @@ TEST_F(NewEquilibrium, KeepsTheVolumeFirstAndThenTheStress) {
     EXPECT_NEAR(dem::mean_stress(pass.stress_after_removal), pressure, 1e-3 * pressure) << "nor has a step moved much";
     EXPECT_NEAR(
         dem::mean_stress(pass.stress_after), pressure, 0.02 * pressure
-    ); // the balance asks for 1 %, on each axis
+    ); // the balance requires 1 %, on each axis
     bool held_still = true;
     for (const PathRow& row : path) {
         held_still = held_still && (row.phase == Phase::Servo || row.volumetric_strain == 0);

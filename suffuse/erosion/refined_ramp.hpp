@@ -15,7 +15,7 @@ inline constexpr double widest_step = 0.05;    ///< up to heave, and where there
 class RefinedRamp {
 public:
     /// @param gradients rising, above 0; @param heave at which the whole soil floats: what is mobile is sought below
-    /// @param asked a gradient that becomes a level, where the ramp comes to it
+    /// @param specified a gradient that becomes a level, where the ramp comes to it
     RefinedRamp(std::vector<double> gradients, std::optional<double> heave, std::optional<double> specified);
 
     /// The gradient to bear now; nothing at the end of the ramp.

@@ -9,7 +9,7 @@
 namespace suffuse::erosion {
 
 struct RemovalResult {
-    ErosionResult erosion;     ///< passes without a probe; the last one's verdict tells why it is the last
+    ErosionResult erosion;     ///< passes without a probe; the last one's verdict states why it is the last
     Mat3 start_h;              ///< the cell when the removal began [m]
     double requested_mass = 0; ///< what all passes are to take [kg]
 };

@@ -167,7 +167,7 @@ struct PassResult {
     double time_step = 0;                       ///< of the last of them [s]
     std::map<std::string, double> wall_seconds; ///< by part: "relax", "flow", "probe", "constrictions" ...
     bool failed = false;                        ///< the skeleton does not carry its stresses any more
-    bool reached_target = false;                ///< as much has left as was asked, whatever the verdict
+    bool reached_target = false;                ///< as much has left as was specified, whatever the verdict
     Ending verdict;
 };
 

@@ -31,7 +31,7 @@ struct WeighedMotion {
     double softness = 1e-3;    ///< overlap over radius by which weight presses two equal fines together, at most [-]
 };
 
-/// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, beside a twin without fluid.
+/// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, with a twin without fluid.
 struct ProbeSpec {
     std::int64_t ramp = 1000;       ///< steps from no force to the full force
     std::int64_t watch = 1000;      ///< steps at the full force; the paper's value
@@ -60,7 +60,7 @@ struct DetachSpec {
     double over = 0.5;                    ///< share of the free flight: speed, or displacement along the drag [-]
     std::optional<double> over_speed;     ///< VelocityRule::Above: [m/s]
     std::optional<double> over_diameters; ///< displacement rule: an absolute share of the grain's diameter instead [-]
-    double noise_quantile = 0.999;        ///< of the twin's speeds, told as their noise; no grain is judged by it [-]
+    double noise_quantile = 0.999; ///< of the twin's speeds, reported as their noise; no grain is judged by it [-]
 };
 
 enum class ConstrictionSize {
@@ -141,7 +141,7 @@ inline ErodeSpec at_pass(const ErodeSpec& spec, int pass) {
     return now;
 }
 
-/// Whether a pass after this one (1-based) asks something else.
+/// Whether a pass after this one (1-based) has other settings.
 inline bool changes_after(const ErodeSpec& spec, int pass) {
     return static_cast<std::size_t>(pass) <= spec.later_passes.size();
 }

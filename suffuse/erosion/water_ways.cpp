@@ -77,7 +77,7 @@ WaterWays::WaterWays(
 }
 
 /// Of the narrowest place on the way from one pore's void sphere to the other's along the points as far from all three
-/// grains: where the facet lies between the two that is the circle that touches the three, whose center may lie beside
+/// grains: where the facet lies between the two that is the circle that touches the three, whose center may be outside
 /// the triangle, where the water of a neighbor is. Where both lie on one side the facet only cuts their void, and the
 /// smaller of the two is. Without such places it is the room in the facet itself.
 std::vector<double> WaterWays::widths_of_throats() const {

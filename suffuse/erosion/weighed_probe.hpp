@@ -1,5 +1,5 @@
 #pragma once
-// The mobility of a sample's fines as a step of the procedure: the flow that the probe asks for, and which of the
+// The mobility of a sample's fines as a step of the procedure: the flow that the probe needs, and which of the
 // mobile fines the coarse skeleton lets through.
 
 #include "suffuse/erosion/loop.hpp"
@@ -9,7 +9,7 @@
 namespace suffuse::erosion {
 
 /// Of the fines under `probe.gravity`, while the gradient rises through `gradients`.
-/// @param asked the gradient that the soil has to bear, if any
+/// @param specified the gradient that the soil has to bear, if any
 MobilityResult weigh_fines(
     const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
     const ProbeSpec& probe, const Surroundings& around

@@ -1,5 +1,5 @@
 #pragma once
-// Why an erosion stops, as warnings, the report and the sentence in files tell it.
+// Why an erosion stops, as warnings, the report and the sentence in files state it.
 
 #include "suffuse/erosion/ending.hpp"
 

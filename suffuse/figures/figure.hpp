@@ -38,9 +38,9 @@ inline constexpr const char* ink = "#333333";
 inline constexpr const char* quiet = "#808080";
 /// For passes and tests, in their order.
 const nlohmann::json& sequence();
-/// And the dashes beside them.
+/// And the dashes next to them.
 const nlohmann::json& dashes();
-/// Size of a legend's stroke, long enough to tell dashes apart [px²].
+/// Size of a legend's stroke, long enough to distinguish dashes [px²].
 inline constexpr int dash_symbol = 676;
 } // namespace color
 

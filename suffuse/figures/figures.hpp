@@ -19,7 +19,7 @@ enum class GradingAxis { LeftToRight, Reversed };
 /// Figure 7: the erosion loop, with this run's counts on its arrows.
 std::optional<Figure> erosion_loop(const erosion::ErosionResult& erosion);
 
-/// Figure 8: the grading asked for and the sample's own; fines, smaller than `finer_than` [m], shaded.
+/// Figure 8: the specified grading and the sample's own; fines, smaller than `finer_than` [m], shaded.
 std::optional<Figure> grading_curves(
     const grains::Grading& specified, const grains::Grading& sampled, std::optional<double> finer_than,
     GradingAxis axis = GradingAxis::LeftToRight
@@ -53,7 +53,7 @@ rules_compared(const std::vector<erosion::ProbeResult>& probes, const std::vecto
 /// Ours: the speed of each fine grain with water against that of its twin without, a panel a pass.
 std::optional<Figure> compared_with_twin(const erosion::ErosionResult& erosion);
 
-/// Ours: constriction sizes of the coarse skeleton beside the sizes of the fines.
+/// Ours: constriction sizes of the coarse skeleton next to the sizes of the fines.
 std::optional<Figure> constriction_sizes(const erosion::ErosionResult& erosion);
 
 /// Ours: the sample's grading, that of the grains which left, and that of what remains. `sampled` is the grading of the

@@ -31,7 +31,7 @@ void set_domain(json& chart, double most) {
 }
 
 /// The arrangement that the paper sets into its Figure 6: fines between coarse grains, forces through them. In an upper
-/// corner of the panel, the one beside the highest point of the curve.
+/// corner of the panel, the one next to the highest point of the curve.
 json active_arrangement(bool to_the_right) {
     struct Disk {
         double x, y, radius;

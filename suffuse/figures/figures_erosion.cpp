@@ -108,7 +108,7 @@ std::optional<Figure> eroded_coordination(const ErosionResult& erosion) {
     std::vector<double> contacts, grains, share;
     std::string claim;
     study::SomePasses that_took;
-    int most = 4; // contacts on the axis at least: that all had none is seen beside those that nobody had
+    int most = 4; // contacts on the axis at least: so that "all had none" differs from "nobody had"
     for (const PassResult& pass : erosion.passes) {
         for (const auto& [coordination, count] : pass.coordination_histogram) {
             most = count > 0 ? std::max(most, coordination) : most;

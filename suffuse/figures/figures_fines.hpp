@@ -7,7 +7,7 @@
 
 namespace suffuse::figures {
 
-/// Figure 1: the gradings of the mixtures as asked for, and those of samples as points.
+/// Figure 1: the gradings of the mixtures as specified, and those of samples as points.
 std::optional<Figure>
 mixture_gradings(const std::vector<study::Mixture>& mixtures, GradingAxis axis = GradingAxis::LeftToRight);
 

@@ -1,5 +1,6 @@
 #pragma once
-// Figures of fines that have weight: what a gradient moves, and which sizes. Tables and axes are in mm and %.
+// Figures of fines that have weight: how many of them a gradient moves, and which sizes. Tables and axes are in mm and
+// %.
 
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/figures/page_table.hpp"

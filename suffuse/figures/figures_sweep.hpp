@@ -1,5 +1,5 @@
 #pragma once
-// Ours: what a study came to over what it sweeps: the mean, one deviation to both sides, every sample a dot.
+// Ours: the result of a study over the swept key: the mean, one deviation to both sides, every sample a dot.
 
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/study/study_outcome.hpp"

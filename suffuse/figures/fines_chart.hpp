@@ -19,7 +19,7 @@ struct FinesLine {
     std::string number; ///< of stage.json
 };
 
-/// The numbers of lines as a tidy table: panel (where one is named), quantity, fines content asked for and reached,
+/// The numbers of lines as a tidy table: panel (where one is named), quantity, fines content specified and reached,
 /// value, its standard deviation over the replicates, and how many there are.
 class FinesTable {
 public:

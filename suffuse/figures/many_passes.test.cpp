@@ -56,7 +56,7 @@ TEST(ManyPasses, AreDrawnAndDescribedByAFew) {
         EXPECT_EQ(path.caption.find("pass 2:"), std::string::npos) << path.caption;
     }
     EXPECT_EQ(porosity_path(erosion)->chart["vconcat"][1]["encoding"]["color"]["scale"]["domain"].size(), 4U);
-    const Table states = permeability_by_pass(erosion)->table; // the first column is what is written beside a state
+    const Table states = permeability_by_pass(erosion)->table; // the first column is what is written next to a state
     EXPECT_EQ(states.cell(0, 0), "before erosion");
     EXPECT_EQ(states.cell(10, 0), "");
     EXPECT_EQ(states.cell(22, 0), "after pass 22");
@@ -77,7 +77,7 @@ TEST(TransportFigure, DrawsTheShareOfTheMassThatGetsFarther) {
     ErosionResult erosion = erosion_of(2);
     EXPECT_FALSE(transport_by_pass(erosion)) << "nothing travels";
     erosion.passes[1].transport = three_grains();
-    erosion.passes[0].transport.distance = 10e-3; // asked for, but nothing was detached
+    erosion.passes[0].transport.distance = 10e-3; // requested, but nothing was detached
     EXPECT_NE(erosion_loop(erosion)->drawing.find("that grains meet on their way"), std::string::npos);
     const Figure figure = *transport_by_pass(erosion);
     const std::vector<double>& x = figure.table.numbers("travel");

@@ -73,7 +73,7 @@ void color_by_mixture(const std::vector<study::ResponseCurve>& tests, json& enco
     }
     encoding["color"] = encoded_by("mixture", mixtures);
     encoding["strokeDash"] = encoded_by("stage", stages);
-    encoding["strokeDash"]["legend"]["orient"] = "bottom"; // beside the other it would not fit
+    encoding["strokeDash"]["legend"]["orient"] = "bottom"; // next to the other it would not fit
 }
 
 /// The lateral stress, p - q/3, where all tests hold the same one, so that their paths of stress lie on one line [Pa].

@@ -127,7 +127,8 @@ AggregationCycle::AggregationCycle(const WeightedGraph& graph) {
     }
 }
 
-/// Tells the rows of level l which of the next they belong to, and these the reverse. `group`: of each node of level l.
+/// Assigns the rows of level l those of the next they belong to, and these the reverse. `group`: of each node of level
+/// l.
 void AggregationCycle::link(std::size_t l, std::span<const std::uint32_t> group) {
     Level& level = levels_[l];
     const bool is_last = l + 1 == levels_.size();

@@ -1,6 +1,6 @@
 #pragma once
 // The law of conductances and forces whose drag is bounded at both ends (throat_drag.hpp), without the water that rests
-// beside contacts (throat_edges.hpp). Water exchanges momentum between throats (momentum_exchange.hpp): a throat among
+// near contacts (throat_edges.hpp). Water exchanges momentum between throats (momentum_exchange.hpp): a throat among
 // fine grains in a wide void is held back by the void's walls, and hands on to them what it cannot hold. Conductances,
 // with the area along a throat (passage_area.hpp), and forces follow from the same equations.
 // docs/theory/pore-flow.md, "Bounded drag".

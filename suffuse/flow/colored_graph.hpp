@@ -46,7 +46,7 @@ void residual_after_sweep(const ColoredGraph& graph, std::span<const float> x, s
 /// Gauss-Seidel, last color first.
 void sweep_down(const ColoredGraph& graph, std::span<const float> b, std::span<float> x);
 
-/// Scalar products that the steps of conjugate gradients ask for, summed in double precision.
+/// Scalar products of the steps of conjugate gradients, summed in double precision.
 struct Products {
     double xy = 0, xb = 0, yc = 0;
 

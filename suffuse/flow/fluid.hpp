@@ -1,5 +1,5 @@
 #pragma once
-// The pore fluid, how it passes throats, and what is asked of it.
+// The pore fluid, how it passes throats, and which flow to solve.
 
 #include "suffuse/base/vec3.hpp"
 
@@ -42,7 +42,7 @@ struct SolverChoice {
     double resolve_tolerance = 1e-4;          ///< of the resolved flow, see stokes::ResolvedSpec [-]
 };
 
-/// Whether the flow between the grains is asked for, whatever the network's is worth.
+/// Whether the flow between the grains is requested, whatever the network's is worth.
 constexpr bool resolves(const SolverChoice& how) {
     return how.solver == Solver::Resolved || (how.solver == Solver::Network && how.resolve);
 }

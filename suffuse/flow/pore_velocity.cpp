@@ -31,7 +31,7 @@ Vec3 void_centroid(const std::array<Vec3, 3>& x, const std::array<double, 3>& r)
 
 namespace {
 
-/// Of every throat, in the place that it has beside its side 0.
+/// Of every throat, in the place that it has next to its side 0.
 std::vector<Vec3>
 void_centroids(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
     std::vector<Vec3> place(network.throats.size());

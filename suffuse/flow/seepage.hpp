@@ -46,7 +46,7 @@ struct Seepage {
     FlowField field;
     std::vector<Vec3> grain_force; ///< of the fluid on each grain, without buoyancy; rows as given [N]
     double permeability = 0;       ///< along the direction, from the unit gradient: also known at i = 0 [m2]
-    std::optional<Mat3> tensor;    ///< permeability tensor, where asked [m2]
+    std::optional<Mat3> tensor;    ///< permeability tensor, if requested [m2]
     Vec3 mean_velocity;            ///< superficial [m/s]
     Vec3 force_sum;                ///< over all grains [N]
     ClosedVoids closed_voids;

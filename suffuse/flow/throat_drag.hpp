@@ -16,7 +16,7 @@ inline constexpr double stokes = 1.5;
 /// Drag of a film over its surface, times its thickness. Fitted to resolved flows, as all that follows.
 inline constexpr double film = 3.7;
 
-/// The same, where it tells how the grains of a throat share its drag.
+/// The same, where it gives how the grains of a throat share its drag.
 inline constexpr double film_of_share = 4;
 
 /// Layers of water that a grain must be away from a wall to feel the water in full.
@@ -55,7 +55,7 @@ inline double water_layer(const WettedGrains& grains, double water) {
 }
 
 /// Drag of all grains over the mean velocity of the water [m]. `open`: what of each wetted surface lies in no wedge
-/// beside a contact [m2].
+/// next to a contact [m2].
 inline double throat_drag(const WettedGrains& grains, const std::array<double, 3>& open, double layer) {
     double drag = 0;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -45,7 +45,7 @@ private:
     std::array<Vec3, 3> x_, edge_;
     Vec3 p1_, p2_;
     std::array<double, 3> length_{};
-    mutable std::array<double, 3> angle_{-1, -1, -1}; ///< below 0 until asked for
+    mutable std::array<double, 3> angle_{-1, -1, -1}; ///< below 0 until requested
 };
 
 /// What two overlapping spheres have in common.

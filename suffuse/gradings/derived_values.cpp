@@ -57,7 +57,7 @@ std::vector<DerivedValue> read_single(const Sheet& sheet, const SheetRow& row) {
         if (auto name = read_derived_name(cell.text)) {
             name->place = cell.place, scale = scale_in(name->name);
             found.push_back(std::move(*name));
-            if (found.back().name != trimmed(cell.text)) { // its value stands beside it
+            if (found.back().name != trimmed(cell.text)) { // its value stands next to it
                 take(std::string_view(cell.text).substr(value_begin(cell.text)), k);
             }
         } else if (!found.empty() && size_scale_of(cell.text) != SizeScale::Unknown) {

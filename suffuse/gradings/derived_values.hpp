@@ -32,7 +32,7 @@ DerivedRows find_derived_rows(
     const Sheet& sheet, std::size_t first, std::size_t end, const std::function<bool(const SheetRow&)>& is_sieve
 );
 
-/// Tells what contradicts the curve.
+/// Reports what contradicts the curve.
 void check_derived(
     const std::vector<DerivedValue>& values, const grains::Grading& grading, const std::string& soil, Problems& problems
 );

@@ -1,6 +1,6 @@
 #pragma once
 // From points to a curve: sizes rising, percent passing never falling. A sieve analysis and a hydrometer's are joined,
-// digitizing noise is smoothed, both told; all else that breaks the rules of a grading is an error.
+// digitizing noise is smoothed, both reported; all else that breaks the rules of a grading is an error.
 
 #include "suffuse/base/diagnostics.hpp"
 #include "suffuse/grains/soil.hpp"
@@ -19,7 +19,7 @@ struct GradingPoint {
     bool has_unit = false; ///< the size was written with its unit: it means what it says
 };
 
-/// Grains are drawn from a curve that runs from 0 to 100 %; criteria may be asked of one that does not.
+/// Grains are drawn from a curve that runs from 0 to 100 %; criteria may judge one that does not.
 enum class CurveEnds { Closed, MayBeOpen };
 
 /// The curve through the points; reports each point that breaks the rules of a grading and is empty then. `whole` is

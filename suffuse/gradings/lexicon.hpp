@@ -59,8 +59,8 @@ enum class Topic {
     OtherMass, ///< not that of the dry sample
     Before,
     Hydrometer,
-    TotalSample,  ///< "% finer total" beside "% finer -#10"
-    ResultFiller, ///< beside the name of a result
+    TotalSample,  ///< "% finer total" next to "% finer -#10"
+    ResultFiller, ///< next to the name of a result
 };
 
 /// Whether this is a word of the topic.

@@ -112,7 +112,7 @@ std::string names_of(const std::vector<NamedGrading>& soils) {
     );
 }
 
-/// The sample asked for, whatever its capitals.
+/// The specified sample, whatever its capitals.
 NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& sample, const std::string& file) {
     std::vector<std::string> names;
     for (const NamedGrading& soil : soils) {

@@ -16,7 +16,7 @@ class Ruler {
 public:
     explicit Ruler(std::string_view line) : line_(line) {}
 
-    /// Of the byte at `at`, from 1; asked with rising places.
+    /// Of the byte at `at`, from 1; called with rising places.
     int column(std::size_t at) {
         for (; at_ < at; ++at_) {
             column_ += (static_cast<unsigned char>(line_[at_]) & 0xC0U) != 0x80U ? 1 : 0;

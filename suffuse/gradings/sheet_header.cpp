@@ -104,7 +104,7 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     const SheetRow &first = sheet.rows[header->row], &second = sheet.rows[header->row + 1];
     std::vector<Heading> units = header->headings;
     if (take_unit_row(second, units)) {
-        return header; // told apart by who reads the values
+        return header; // distinguished by who reads the values
     }
     std::vector<Heading> joined;
     for (std::size_t k = 0; k < header->headings.size(); ++k) {

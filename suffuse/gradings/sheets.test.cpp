@@ -1,4 +1,4 @@
-// Every sheet of tests/sheets/ gives what the file beside it expects: tests/sheets/README.md.
+// Every sheet of tests/sheets/ gives what the file next to it expects: tests/sheets/README.md.
 
 #include "suffuse/gradings/sheets_for_tests.hpp"
 

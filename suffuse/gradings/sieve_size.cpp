@@ -22,7 +22,7 @@ struct Opening {
     const char* millimeters;
 };
 
-// ASTM E11-20, table 1: standard designation beside the alternative one.
+// ASTM E11-20, table 1: standard designation next to the alternative one.
 constexpr std::array numbers{
     Opening{3.5, "5.6"},   Opening{4, "4.75"},    Opening{5, "4"},       Opening{6, "3.35"},    Opening{7, "2.8"},
     Opening{8, "2.36"},    Opening{10, "2"},      Opening{12, "1.7"},    Opening{14, "1.4"},    Opening{16, "1.18"},

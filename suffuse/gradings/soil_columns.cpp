@@ -105,7 +105,7 @@ bool agree(const Sheet& sheet, std::size_t masses, std::size_t percents, std::si
            });
 }
 
-/// "% finer total" beside "% finer -#10": of the whole sample.
+/// "% finer total" next to "% finer -#10": of the whole sample.
 bool is_of_total(const Heading& heading, const std::string& text) {
     const std::string words = fmt::format(" {} ", plain_words(text));
     return heading.unit != ShareUnit::Mass && mentions(Topic::TotalSample, words);

@@ -1,5 +1,5 @@
 #pragma once
-// Columns without names: told by numbers that can mean one thing only.
+// Columns without names: recognized by numbers that can mean one thing only.
 
 #include "suffuse/gradings/grading_columns.hpp"
 

@@ -66,7 +66,7 @@ double size_at(const Gradation& gradation, double fraction) {
 
 Grading curve_of_steps(const Gradation& gradation) {
     expects(!gradation.diameter.empty(), "a curve has grains");
-    constexpr double width = 1e-6; // of a size: far below what a criterion tells apart, far above rounding
+    constexpr double width = 1e-6; // of a size: far below what a criterion distinguishes, far above rounding
     Grading curve;
     double finer = 0;
     for (std::size_t k = 0; k < gradation.diameter.size(); ++k) {

@@ -14,7 +14,7 @@ Grading fontainebleau() {
         {0.10e-3, 0.15e-3, 0.18e-3, 0.21e-3, 0.25e-3, 0.30e-3, 0.40e-3}, {0, 0.08, 0.25, 0.50, 0.75, 0.92, 1}, "test"};
 }
 
-/// F = (d/d_max)^m, cut off where next to nothing is finer.
+/// F = (d/d_max)^m, cut off where almost nothing is finer.
 Grading power_law(double m) {
     Grading grading;
     constexpr int points = 4000;

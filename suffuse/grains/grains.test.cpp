@@ -7,7 +7,7 @@
 namespace suffuse::grains {
 namespace {
 
-/// Three grains whose every column tells its row.
+/// Three grains whose every column shows its row.
 Grains some_grains() {
     Grains grains;
     for (std::uint32_t g = 0; g < 3; ++g) {

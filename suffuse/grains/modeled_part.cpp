@@ -21,7 +21,7 @@ double round_size(double size, bool up) {
     return unit * (up ? std::ceil(size / unit - rounding) : std::floor(size / unit + rounding));
 }
 
-/// The number of grains that the counts of fines and coarse grains and the width of the cell ask for.
+/// The number of grains that the counts of fines and coarse grains and the width of the cell require.
 double counted(const Grading& grading, double finer_than, const Representative& spec) {
     const double finest = grading.diameter.front(), coarsest = grading.diameter.back();
     const double content = passing(grading, finer_than), all = grains_per_volume(grading);

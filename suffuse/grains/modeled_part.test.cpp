@@ -43,7 +43,7 @@ TEST(ModeledPart, AUniformSkeletonIsAsWideAsErosionNeeds) {
     Representative narrow;
     narrow.skeleton_width = 0;
     const double count = representative_count(uniform, 0.5e-3), less = representative_count(uniform, 0.5e-3, narrow);
-    EXPECT_GT(count, 1.5 * less); // four of the largest grains are 4.2 median ones; six are asked for
+    EXPECT_GT(count, 1.5 * less); // four of the largest grains are 4.2 median ones; six are requested
     double solid = 0;
     const std::vector<double> drawn = sample_diameters(uniform, static_cast<std::size_t>(std::ceil(count)));
     for (const double d : drawn) {

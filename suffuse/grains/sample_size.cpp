@@ -24,7 +24,7 @@ SampleSize size_sample(const Soil& soil, const SampleSizeSpec& spec) {
 
     SampleSize size;
     size.rule = by_count <= by_width ? SizedBy::CoarseGrains : SizedBy::CellWidth;
-    // The nearest whole number: the sample's own rounding then gives the coarse grains asked for.
+    // The nearest whole number: the sample's own rounding then gives the specified coarse grains.
     size.particles = std::llround(std::min(by_count, by_width) * (coarse + fines));
     if (spec.at_most && size.particles > *spec.at_most) {
         const std::int64_t least = std::llround(static_cast<double>(spec.least_coarse) / counted * (coarse + fines));

@@ -35,7 +35,7 @@ std::optional<double> fines_limit(const Soil& soil);
 /// @throws CaseError where one curve is split by a size that leaves no fines or no skeleton, or by none that exists.
 void expect_both_parts(const Soil& soil);
 
-/// The grading that `soil` asks for: its curve, or that of the mixture.
+/// The grading that `soil` specifies: its curve, or that of the mixture.
 Grading specified_grading(const Soil& soil);
 
 /// Diameters [m] of `count` grains that follow `grading`, largest first.

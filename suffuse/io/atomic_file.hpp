@@ -11,7 +11,7 @@ namespace suffuse::io {
 
 class AtomicFile {
 public:
-    /// Starts writing beside `path`, and removes what a killed program began of it. Every member throws IoError where
+    /// Starts writing next to `path`, and removes what a killed program began of it. Every member throws IoError where
     /// the system refuses.
     explicit AtomicFile(std::filesystem::path path);
     ~AtomicFile(); ///< without `commit`, nothing remains

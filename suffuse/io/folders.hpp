@@ -11,7 +11,7 @@ void make_folders(const std::filesystem::path& folder);
 /// Makes a folder in one that is there. @return false where something has its name already. Throws IoError.
 bool make_folder(const std::filesystem::path& folder);
 
-/// Removes a file, if it is there, so that a power cut does not bring it back beside what is written next.
+/// Removes a file, if it is there, so that a power cut does not bring it back next to what is written next.
 /// Throws std::filesystem::filesystem_error.
 void remove_file(const std::filesystem::path& file);
 

@@ -99,7 +99,7 @@ std::size_t count_of(const Shape& sizes) {
     return count;
 }
 
-/// Whether what is stored can be `count` values of `size` bytes: of a damaged file, a shape may ask for more than any
+/// Whether what is stored can be `count` values of `size` bytes: of a damaged file, a shape may require more than any
 /// memory holds.
 bool can_hold(hid_t data, std::size_t count, std::size_t size) {
     constexpr std::size_t best_compression = 1100; // of gzip, for files that were packed again
@@ -116,7 +116,7 @@ Handle in_memory() {
     return access;
 }
 
-/// HDF5 tells files in memory apart by name.
+/// HDF5 distinguishes files in memory by name.
 std::string name_in_memory(const void* owner) {
     return fmt::format("suffuse {}", fmt::ptr(owner));
 }
@@ -275,7 +275,7 @@ void Hdf5Reader::add_bytes_on_disk(DigestWithin& digest) const {
 }
 
 bool Hdf5Reader::has(const std::string& name) const {
-    for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) { // HDF5 asks for every group on the way
+    for (std::size_t end = name.find('/');; end = name.find('/', end + 1)) { // HDF5 needs every group on the way
         if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) {
             return false;
         }

@@ -12,7 +12,7 @@
 
 namespace suffuse::io {
 
-/// Throws what HDF5 has just refused: it tells in its stack of errors where no memory was left.
+/// Throws what HDF5 has just refused: it shows in its stack of errors where no memory was left.
 [[noreturn]] inline void refuse(std::string_view what) {
     bool ran_out = false;
     H5Ewalk2(

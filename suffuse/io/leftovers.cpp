@@ -26,8 +26,8 @@ bool is_own_file(const struct stat& status) {
     return S_ISREG(status.st_mode) && status.st_uid == geteuid();
 }
 
-/// Names of a folder that are leftovers by their form. Every writing asks, also in a folder of thousands of snapshots:
-/// a path for each of them, as std::filesystem makes it, would take longer than the writing.
+/// Names of a folder that are leftovers by their form. Every writing calls it, also in a folder of thousands of
+/// snapshots: a path for each of them, as std::filesystem makes it, would take longer than the writing.
 std::vector<std::string>
 leftovers_in(const fs::path& folder, const std::function<bool(std::string_view)>& is_of_program) {
     struct Close {

@@ -31,7 +31,7 @@ TEST(MeanMotion, IsTheGradientThatTheGrainsMoveWith) {
             EXPECT_NEAR((*found)(i, j), shear(i, j), 1e-11); // rounding of sums of a hundred times 250
         }
     }
-    const auto rattled = find_velocity_gradient(moving_grains(shear, 5)); // a scatter of 5 beside one of 70
+    const auto rattled = find_velocity_gradient(moving_grains(shear, 5)); // a scatter of 5 against one of 70
     ASSERT_TRUE(rattled);
     EXPECT_NEAR((*rattled)(0, 2), 50, 2);
 }

@@ -1,6 +1,6 @@
 #pragma once
-// The one place where a file that a run goes on with is opened: a stranger's run folder may hold links, pipes and
-// devices under the names of its files. Whole files are written anew, beside and renamed: io/atomic_file.hpp.
+// The one place where a file that a run goes on with is opened: a run folder from someone else may hold links, pipes
+// and devices under the names of its files. Whole files are written to a new file, then renamed: io/atomic_file.hpp.
 
 #include <filesystem>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 // A packing from elsewhere as all callers take it (a case, `suffuse import`, a benchmark, Python):
-// read, put into the cell that is asked for, and checked: sizes, positions, overlaps, lengths that cannot be meant.
+// read, put into the requested cell, and checked: sizes, positions, overlaps, lengths that cannot be meant.
 
 #include "suffuse/io/packing_file.hpp"
 
@@ -8,7 +8,7 @@ namespace suffuse::io {
 
 constexpr double usual_overlap = 0.1; ///< beyond, of the smaller radius, it is another cell's packing
 
-/// What is asked of a packing.
+/// What a packing must meet.
 struct PackingRequest {
     std::filesystem::path file;
     double density = 2600;                      ///< of the grains [kg/m3]
@@ -18,7 +18,7 @@ struct PackingRequest {
     std::optional<Mat3> velocity_gradient = {}; ///< that the velocities of the file contain; found in them unless given
     double max_overlap = usual_overlap;         ///< largest overlap that is accepted / radius of the smaller grain [-]
     bool only_looks = false;                    ///< a larger overlap is then a warning
-    std::string where;                          ///< who asks, in front of warnings; the file unless given
+    std::string where;                          ///< the caller, in front of warnings; the file unless given
 };
 
 struct TakenPacking {

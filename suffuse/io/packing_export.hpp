@@ -21,7 +21,7 @@ std::vector<std::string> packing_format_names();
 /// The format of that name; nothing where there is none.
 std::optional<PackingFormat> packing_format_of_name(std::string_view name);
 
-/// The format that a file's ending tells: .csv, .txt (Yade), .xyz, .extxyz, .data, .lmp, .dump, .lammpstrj, .vtp.
+/// The format that a file's ending shows: .csv, .txt (Yade), .xyz, .extxyz, .data, .lmp, .dump, .lammpstrj, .vtp.
 std::optional<PackingFormat> packing_format_of_file(const std::filesystem::path& path);
 
 /// Writes the grains of `world` in its order. @throws IoError; CaseError where the format cannot hold the cell.

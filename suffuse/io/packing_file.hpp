@@ -1,7 +1,7 @@
 #pragma once
 // Packings brought from other programs, as their files have them: tables with the columns x, y, z, r and optionally vx,
 // vy, vz, wx, wy, wz, CSV (ParaView's too) or Yade's text; LAMMPS data files of atom_style sphere and dumps; extended
-// XYZ; VTK's .vtp, .vtu and .vtk; MercuryDPM's .data and .restart. Plain or gzipped; lengths in m unless told
+// XYZ; VTK's .vtp, .vtu and .vtk; MercuryDPM's .data and .restart. Plain or gzipped; lengths in m unless specified
 // otherwise, velocities in m/s and rad/s.
 
 #include "suffuse/cell/cell.hpp"

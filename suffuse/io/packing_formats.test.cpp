@@ -192,7 +192,7 @@ TEST(PackingFormats, ABoxThatIsNotPeriodicIsNoCell) {
     const ImportedPacking walls = parse(dump);
     EXPECT_FALSE(walls.cell.has_value());
     EXPECT_NE(walls.no_cell.find("p.any:5: found boundaries ff along z"), std::string::npos) << walls.no_cell;
-    for (const char* sides : {"pp pp pp", "xy xz yz pp pp pp", ""}) { // old versions do not tell
+    for (const char* sides : {"pp pp pp", "xy xz yz pp pp pp", ""}) { // old versions do not state it
         std::string text = replaced(dump, "pp pp ff", sides);
         if (sides[0] == 'x') {
             text = replaced(text, "0 1\n0 1\n0 1\n", "0 1 0\n0 1 0\n0 1 0\n");

@@ -1,5 +1,5 @@
 #pragma once
-// What lies in a run folder, looked at before any of it is opened: it may be a stranger's.
+// What lies in a run folder, looked at before any of it is opened: it may be from someone else.
 
 #include <filesystem>
 #include <string>

@@ -31,7 +31,7 @@ void write_cell_vtp(const std::filesystem::path& path, const cell::Cell& cell);
 struct VtkFrame {
     double time = 0;  ///< [s]
     std::string file; ///< relative to the collection
-    int part = 0;     ///< files of the same time are told apart by it
+    int part = 0;     ///< files of the same time are distinguished by it
 };
 
 void write_pvd(const std::filesystem::path& path, const std::vector<VtkFrame>& frames);

@@ -1,6 +1,6 @@
 #pragma once
 // VTK's XML files: points, cells and named arrays, the arrays as raw binary behind the XML [VTK file formats]. In
-// single precision unless asked: most of these files are for the eye, states are saved in HDF5.
+// single precision unless requested: most of these files are for the eye, states are saved in HDF5.
 
 #include "suffuse/base/vec3.hpp"
 

@@ -12,7 +12,7 @@
 
 namespace suffuse::job {
 
-/// Another soil beside it, as its filter.
+/// Another soil next to it, as its filter.
 struct AssessedFilter {
     std::string name; ///< the file
     stability::FilterCheck check;

@@ -18,7 +18,7 @@ struct DrawStyle {
 };
 
 /// Draws figures of the run's folder, those wanted (by number or name) or all, into `folder`.
-/// @param page the built page of the report, beside which the drawing program lies
+/// @param page the built page of the report, next to the drawing program
 /// @return the files
 /// @throws UsageError for a figure that the run has not, IoError saying what to install or what cannot be written
 std::vector<std::filesystem::path> draw_figures(

@@ -8,8 +8,8 @@
 
 namespace suffuse::job {
 
-/// What the run told when it ended, where its folder holds all that is asked for, and its stages are known to be whole
-/// (finished_stages.hpp). Nothing where something is missing, changed, or still to be computed.
+/// What the run reported when it ended, where its folder holds all that is requested, and its stages are known to be
+/// whole (finished_stages.hpp). Nothing where something is missing, changed, or still to be computed.
 std::optional<RunReport> find_ended(const casefile::Case& what, const run::RunOptions& options);
 
 } // namespace suffuse::job

@@ -17,12 +17,12 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
 /// Internal stability of a sample's soil by its grading, for the section "Soils".
 void show_stability(const casefile::Case& what, const grains::Soil& soil, report::ReportData& data);
 
-/// The soil's grading beside that of the sample from which a stage started, for the same section.
+/// The soil's grading next to that of the sample from which a stage started, for the same section.
 std::optional<figures::Figure>
 draw_grading(const casefile::Case& what, const std::filesystem::path& folder, const record::FinishedStage& stage);
 
 /// A sample's grading at sizes evenly spaced on the logarithmic axis, and at those of its soil: the corners of the
-/// curve asked for and the limit of the fines, on both sides of which a gap may lie.
+/// specified curve and the limit of the fines, on both sides of which a gap may lie.
 grains::Grading sampled_grading(const std::vector<double>& radius, const std::optional<grains::Soil>& soil);
 
 } // namespace suffuse::job

@@ -212,7 +212,7 @@ report::ReportData describe_run(
     data.run = folder.filename().string();
     data.answer = results.fines_sweep ? answer::answer_of_fines(*results.fines_sweep) : std::vector<std::string>{};
     if (const std::string sentence = answer::thresholds_sentence(results.fines); !sentence.empty()) {
-        data.answer.insert(data.answer.begin() + (data.answer.empty() ? 0 : 1), sentence); // after what was asked
+        data.answer.insert(data.answer.begin() + (data.answer.empty() ? 0 : 1), sentence); // after the question
     }
     for (std::string& sentence : answer::answer_of_mobility(results.mobility)) {
         data.answer.push_back(std::move(sentence));

@@ -12,7 +12,7 @@
 
 namespace suffuse::job {
 
-/// What is to be said of a run beside its numbers.
+/// What is to be said of a run besides its numbers.
 struct RunRemarks {
     std::vector<std::string> warnings, flaws; ///< of its stages
     std::vector<std::string> case_warnings;   ///< of the check of the case

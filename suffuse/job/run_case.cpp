@@ -71,7 +71,8 @@ RunReport run_all(const casefile::Case& what, const run::RunOptions& options, ru
     return report;
 }
 
-/// One sample, beside other programs that run the others: what concerns the whole run is left to who gathers.
+/// One sample, at the same time as other programs that run the others: what concerns the whole run is left to the
+/// caller that gathers.
 RunReport run_one(const casefile::Case& what, const run::RunOptions& options, run::Overview& overview) {
     const casefile::Case refined = record::with_refinements(what, options.folder);
     const std::vector<record::Sample> samples = record::list_samples(refined, options.until, options.sample);
@@ -125,7 +126,7 @@ private:
     std::string text_;
 };
 
-/// Of samples that were run one by one, beside each other: the wall time of the one that took longest [s].
+/// Of samples that were run one by one, side by side: the wall time of the one that took longest [s].
 double longest_sample(const casefile::Case& what, const std::filesystem::path& folder) {
     double longest = 0;
     for (const record::Sample& sample : record::list_samples(what)) {

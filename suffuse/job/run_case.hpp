@@ -32,7 +32,7 @@ RunReport run_case(const casefile::Case& what, const run::RunOptions& options);
 
 /// Writes summary.json, figures and report.html from what the run folder holds, without computing. Where samples were
 /// run one by one, this gathers them. The caller has seen that the folder is whole (finished_stages.hpp).
-/// @param command that asked for it, for the provenance of a run that has none yet
+/// @param command that requests it, for the provenance of a run that has none yet
 RunReport rebuild_report(
     const std::filesystem::path& folder, const std::filesystem::path& page_folder, const std::string& command
 );

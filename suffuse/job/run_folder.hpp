@@ -1,5 +1,5 @@
 #pragma once
-// The folder of a run as the command line sees it: its name, what was asked when it began, and that one program at a
+// The folder of a run as the command line sees it: its name, the request when it began, and that one program at a
 // time works in it.
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace suffuse::job {
 
-/// What was asked when a run began; kept beside it as run_options.json.
+/// The request when a run began; kept next to it as run_options.json.
 struct RunRequest {
     std::string case_file; ///< absolute
     std::string preset;
@@ -18,7 +18,7 @@ struct RunRequest {
     std::optional<std::string> cache; ///< its folder, empty for none; nothing where the usual one was taken
 };
 
-/// Where stages are kept for a run in `folder`: in suffuse-cache beside it, shared by all runs there.
+/// Where stages are kept for a run in `folder`: in suffuse-cache next to it, shared by all runs there.
 std::filesystem::path cache_next_to(const std::filesystem::path& folder);
 
 /// Makes runs/NAME-0001, or the next free number; NAME is the folder of the case.
@@ -39,7 +39,7 @@ int try_lock(int descriptor, int kind);
 /// Whether a suffuse works in the folder now; not so where that cannot be known.
 bool is_at_work(const std::filesystem::path& folder);
 
-/// Holds the folder for this program; `tell` hears where it cannot be locked. @throws UsageError where another one
+/// Holds the folder for this program; `warn` is called where it cannot be locked. @throws UsageError where another one
 /// works in it.
 class FolderLock {
 public:

@@ -54,7 +54,7 @@ std::string state_of(const fs::path& run, const json& summary) {
     if (!value_or(summary, "failures", nothing).empty()) {
         return "failed in part";
     }
-    const bool ended_early = !value_or(summary, "until", std::string()).empty(); // as asked
+    const bool ended_early = !value_or(summary, "until", std::string()).empty(); // as specified
     if (summary.empty() || (!ended_early && !value_or(summary, "missing_stages", nothing).empty())) {
         return "not complete";
     }

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// The gradient that a stage of the sample asks about; nothing where none does.
+/// The gradient that a stage of the sample specifies; nothing where none does.
 std::optional<double> gradient_of(const casefile::Variant& variant) {
     for (const casefile::Stage& stage : variant.stages) {
         if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec);

@@ -1,5 +1,5 @@
 #pragma once
-// What a run knows of a soil that a grading cannot tell: the share of the stress that its fines carry.
+// What a run knows of a soil that a grading does not show: the share of the stress that its fines carry.
 
 #include "suffuse/stability/critical_gradient.hpp"
 
@@ -25,7 +25,7 @@ struct SampleStress {
 SampleStress read_sample_stress(const std::filesystem::path& run, const std::string& soil = {});
 
 /// The same soil under upward seepage, with what the run knows of it where the user says nothing.
-/// @param gradient, porosity, density as asked for; the run's unless given
+/// @param gradient, porosity, density as specified; the run's unless given
 stability::UpwardSeepage seepage_of(
     const SampleStress& stress, std::optional<double> gradient, std::optional<double> porosity,
     std::optional<double> density

@@ -1,5 +1,5 @@
 #pragma once
-// Many soils beside each other: a row for each, a column for each criterion, and which is the worst.
+// Many soils side by side: a row for each, a column for each criterion, and which is the worst.
 
 #include "suffuse/job/assessed_soil.hpp"
 

@@ -9,7 +9,7 @@
 
 namespace suffuse::job {
 
-/// Of the erosion that the report tells: before it, after its first and its last pass; and of the first `flow` stages.
+/// Of the erosion that the report shows: before it, after its first and its last pass; and of the first `flow` stages.
 std::vector<figures::Figure>
 draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::ErosionStory& story);
 

@@ -29,7 +29,7 @@ struct CompactState {
         Relax,   ///< swift: overlaps that geometry left are pressed out, frictionless, at constant volume
         Compact, ///< to the pressure, with the parameters of the preparation
         Settle,  ///< until balanced, with the final parameters
-        Prove,   ///< with the grains' own inertia, for as long as [balance] asks
+        Prove,   ///< with the grains' own inertia, for as long as [balance] requires
         Done
     };
 
@@ -48,14 +48,14 @@ struct CompactState {
 };
 
 /// Sets the parameters of the compaction and brings the grains to its start; `world` is the cloud.
-/// @throws StateError when a start is asked for that is too dense for the protocol.
+/// @throws StateError when a start is requested that is too dense for the protocol.
 CompactState
 begin_compaction(dem::World& world, const CompactSpec& spec, double damping, dem::Mode mode = dem::Mode::Reference);
 
 /// The same for grains that stand already, and have their final parameters: they only have to settle.
 CompactState begin_settling(dem::World& world, double damping, dem::Mode mode = dem::Mode::Reference);
 
-/// Whether a balanced sample is known to miss the void ratio asked for, before it has proved its balance.
+/// Whether a balanced sample is known to miss the specified void ratio, before it has proved its balance.
 bool misses_void_ratio(const dem::World& world, const CompactSpec& spec, const CompactState& state);
 
 /// One burst of steps. @return whether the sample is settled at the pressure with its final parameters.

@@ -16,7 +16,7 @@ TEST(MissesVoidRatio, OfASwiftSampleThatSettlesOneAndAHalfTolerancesTooDense) {
     spec.protocol = Protocol::Swift;
     CompactState state;
     state.phase = CompactState::Phase::Settle;
-    const auto misses = [&](double tolerances) { // below the void ratio asked for
+    const auto misses = [&](double tolerances) { // below the specified void ratio
         spec.void_ratio = dem::void_ratio(world) + tolerances * spec.void_ratio_tolerance;
         return misses_void_ratio(world, spec, state);
     };

@@ -16,7 +16,7 @@ double mixture(const std::vector<SizeClass>& classes, double alone) {
 
 TEST(ExpectedState, GrainsOfOneSizeMixToThemselves) {
     EXPECT_DOUBLE_EQ(mixture({{1, 1}}, 0.6), 0.6);
-    // Sizes that hardly differ: what one gains of the other vanishes with the square root of the difference.
+    // Sizes that differ little: what one gains of the other vanishes with the square root of the difference.
     EXPECT_NEAR(mixture({{1, 0.5}, {1 + 1e-9, 0.5}}, 0.6), 0.6, 1e-4);
 }
 

@@ -9,7 +9,7 @@
 namespace suffuse::packing {
 namespace {
 
-/// Pairs within a margin, asked for again and again while grains move a little: chosen from a wider list, which is made
+/// Pairs within a margin, requested again and again while grains move a little: chosen from a wider list, which is made
 /// anew when a grain has moved too far for it.
 class NearPairs {
 public:

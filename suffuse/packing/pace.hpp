@@ -24,7 +24,7 @@ bool is_loaded(const CompactSpec& spec, const CompactState& state);
 /// @param density of the grains [kg/m3]; @param median_diameter by mass [m]
 double largest_rate(const CompactSpec& spec, double density, double median_diameter);
 
-/// The time step that the protocol asks for now [s]. @param damping local [-]
+/// The time step that the protocol uses now [s]. @param damping local [-]
 double choose_time_step(const dem::World& world, const CompactSpec& spec, double damping);
 
 /// The reference's: a share of the P-wave time of the smallest grain, of radius `smallest` [m] [s].

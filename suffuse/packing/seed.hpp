@@ -1,6 +1,6 @@
 #pragma once
-// A cloud: grains of a sample placed at random in a periodic cube of the asked porosity, none overlapping. Grains are
-// added at random, largest first; this saturates near a solid fraction of 0.38 for equal spheres, so that grains
+// A cloud: grains of a sample placed at random in a periodic cube of the specified porosity, none overlapping. Grains
+// are added at random, largest first; this saturates near a solid fraction of 0.38 for equal spheres, so that grains
 // without a free place go where they overlap least, and overlaps are then pushed apart.
 
 #include "suffuse/base/pulse.hpp"

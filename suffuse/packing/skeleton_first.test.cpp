@@ -27,7 +27,7 @@ dem::World cloud_with(std::size_t fines) {
     return world;
 }
 
-/// The coarse grains at a porosity of 0.45, as openly as a loose skeleton stands, and the fines beside them.
+/// The coarse grains at a porosity of 0.45, as openly as a loose skeleton stands, and the fines next to them.
 struct Parts {
     dem::World skeleton;
     grains::Grains fines;

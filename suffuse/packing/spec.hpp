@@ -49,7 +49,7 @@ constexpr std::string_view name_of(Protocol protocol) {
     return "wide";
 }
 
-/// Inertial number of the largest strain rate of a compaction, with the pressure asked for and the median diameter by
+/// Inertial number of the largest strain rate of a compaction, with the specified pressure and the median diameter by
 /// mass: the 250 1/s of the reference's sand (0.21 mm) at 100 kPa [reference, section 4].
 inline constexpr double cloud_inertial_number = 8.466e-3;
 

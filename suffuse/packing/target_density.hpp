@@ -13,7 +13,7 @@ struct FoundDensity {
     CompactSpec spec;      ///< with the preparation found
     double void_ratio = 0; ///< [-]
     int trials = 0;
-    bool is_met = true; ///< otherwise this one is the nearest, and `if_unreachable` asked for that
+    bool is_met = true; ///< otherwise this one is the nearest, and `if_unreachable` allows that
 };
 
 /// @param reach compacts the cloud with a preparation and returns the settled void ratio; what it leaves last is of the

@@ -45,7 +45,7 @@ TEST(BenchStep, SaysTheSpeedWithThePhysicsItWasReachedAt) {
     EXPECT_NEAR(r.stress(0, 0), 100e3, 5e3);
     EXPECT_NEAR(r.stress(1, 1), 100e3, 5e3);
     EXPECT_GT(r.stress(2, 2), r.stress(0, 0));
-    EXPECT_NEAR(r.void_ratio, 0.674, 0.005); // of the packing as it came; settling hardly changes it
+    EXPECT_NEAR(r.void_ratio, 0.674, 0.005); // of the packing as it came; settling barely changes it
     EXPECT_GT(r.coordination, 2.5);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Whether what a plan asks for fits into a bound of memory, and how many samples may then run side by side.
+// Whether what a plan needs fits into a bound of memory, and how many samples may then run side by side.
 
 #include "suffuse/plan/plan.hpp"
 
@@ -7,7 +7,8 @@
 
 namespace suffuse::plan {
 
-/// Share of the machine's memory that a run may use unless told otherwise: the rest is the system's and the user's.
+/// Share of the machine's memory that a run may use unless specified otherwise: the rest is the system's and the
+/// user's.
 inline constexpr double usual_memory_share = 0.8;
 
 /// How many samples of the plan run side by side within `bytes`: at most as many as were planned.

@@ -1,5 +1,5 @@
 #pragma once
-// What stages took on this machine beside what the plan's tables had said. It lies with the cache, and corrects the
+// What stages took on this machine compared with the plan's tables. It is in the cache, and corrects the
 // next plan for whatever the tables leave out: this machine's memory, its other work, the soils that its user likes.
 
 #include "suffuse/plan/plan.hpp"
@@ -28,7 +28,7 @@ private:
     std::map<std::string, Ratios> of_kind_;
 };
 
-/// Adds what the stages of a run took, of those that its plan.json tells, each once. A cache that cannot be written
+/// Adds what the stages of a run took, of those in its plan.json, each once. A cache that cannot be written
 /// learns nothing; no error comes of it.
 void remember_prices(const std::filesystem::path& cache, const std::filesystem::path& run);
 

@@ -45,7 +45,7 @@ struct RefinedEstimate {
 struct RunPlan {
     MachineSpeed speed;
     std::vector<StageEstimate> stages; ///< in the order in which they run
-    RefinedEstimate refined;           ///< beside these stages
+    RefinedEstimate refined;           ///< in addition to these stages
     int studies = 0;
     Range steps;
     Range seconds;     ///< wall time, `speed.at_once` samples side by side, those that refine adds among them [s]

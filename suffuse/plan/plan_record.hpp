@@ -1,5 +1,5 @@
 #pragma once
-// A run's plan beside what came of it, in plan.json of its folder: how far off the plan was.
+// A run's plan and what came of it, in plan.json of its folder: how far off the plan was.
 
 #include "suffuse/plan/plan.hpp"
 

@@ -60,7 +60,7 @@ TEST(PlanRecord, HoldsTheExpectedAndTheActualResult) {
 TEST(PlanRecord, WhatWasPricedBeforeTheFirstStepStays) {
     const test::TempFolder folder;
     RunPlan first = plan_of(3);
-    first.stages[3].seconds = {}; // after the stage asked for as the last
+    first.stages[3].seconds = {}; // after the requested last stage
     keep_plan(folder.path(), first);
     keep_plan(folder.path(), plan_of(5));
     const nlohmann::json stages = record::read_json(folder / "plan.json").at("stages");

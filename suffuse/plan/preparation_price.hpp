@@ -1,5 +1,5 @@
 #pragma once
-// What preparing a sample takes, beside what its strain does: one table, written by
+// What preparing a sample takes, besides its strain: one table, written by
 //     tools/record_plans.py --preparation RUN...
 // from runs that prepared samples.
 

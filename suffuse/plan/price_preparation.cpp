@@ -12,8 +12,8 @@
 namespace suffuse::plan {
 namespace {
 
-constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from an asked density
-constexpr Range trials_for_a_density{2, 6};                           // compactions until an asked void ratio is met
+constexpr Range swift_start{2'500, 9'000}, swift_density{300, 1'500}; // from near touching; from a specified density
+constexpr Range trials_for_a_density{2, 6};                           // compactions until a specified void ratio is met
 constexpr Range searching{0.25, 0.55};                                // work of a step, a grain, while grains fly
 constexpr Range geometry_seconds{1e-5, 6e-5};                         // a grain: pushing a cloud together
 

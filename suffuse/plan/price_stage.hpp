@@ -1,5 +1,5 @@
 #pragma once
-// What one stage takes: steps, memory, and time beside the steps. Strain-driven steps follow from the strain, the rate
+// What one stage takes: steps, memory, and time besides the steps. Strain-driven steps follow from the strain, the rate
 // and the time step that the expected contact network allows, their seconds from how many grains carry load;
 // relaxations and settling are ranges seen in runs. A test holds all of it to tests/reference/planned_runs.csv.
 
@@ -17,7 +17,7 @@ inline constexpr double grain_memory = 1000; // [B]
 struct StagePrice {
     Range steps = {};
     Range reference_steps = {}; ///< more of them, in reference mode whatever the mode of the case
-    Range seconds = {};         ///< beside the steps [s]
+    Range seconds = {};         ///< besides the steps [s]
     double memory_a_grain = 0;  ///< [B]
     std::string basis;          ///< where the steps come from, in words
     std::string kind = {};      ///< of the verb, where its kinds cost differently

@@ -1,5 +1,5 @@
 #pragma once
-// --until and --sample: which stages of a case are asked for.
+// --until and --sample: which stages of a case are requested.
 
 #include "suffuse/plan/plan.hpp"
 
@@ -7,11 +7,11 @@
 
 namespace suffuse::plan {
 
-/// @throws UsageError where the case has no stage of the name; an empty one asks for all.
+/// @throws UsageError where the case has no stage of the name; an empty one requests all.
 void check_until(const casefile::Case& what, const std::string& until);
 
-/// Prices at nothing what comes after the stage asked for as the last, samples without it, and other samples than
-/// `only`. Empty: all are asked for.
+/// Prices at nothing what comes after the requested last stage, samples without it, and other samples than
+/// `only`. Empty: all are requested.
 void price_requested_alone(
     RunPlan& plan, const casefile::Case& what, const std::string& until, const std::string& only = {}
 );

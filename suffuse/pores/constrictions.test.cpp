@@ -55,7 +55,7 @@ double clearance(const test::Packing& packing, const Vec3& center) {
 const auto skeletons = {std::pair{"constrictions10k_0.20", 0.20e-3}, {"constrictions10k_0.26", 0.26e-3}};
 
 TEST(Constrictions, CirclesOfTheCoarseSkeletonAreThoseOfTheReference) {
-    // The reference counts circles that reach into a fourth grain, and such as lie beside their triangle.
+    // The reference counts circles that reach into a fourth grain, and such as lie next to their triangle.
     const test::Packing packing = test::reference_spheres("packing10k");
     for (const auto& [name, limit] : skeletons) {
         const auto about = test::read_reference_json(std::string(name) + ".json");

@@ -40,7 +40,7 @@ double clearance(const Seen& grain, const Point& p) {
 }
 
 /// Clearance is convex around each grain, so that the least of several is largest where three balance each other or,
-/// along an edge, two: each such point is asked.
+/// along an edge, two: each such point is examined.
 class FacetRoom {
 public:
     FacetRoom(const Point& b, const Point& c, const std::array<double, 3>& r) : corner_{{{0, 0}, b, c}} {

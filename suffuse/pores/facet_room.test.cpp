@@ -45,7 +45,7 @@ TEST(FacetRoom, BetweenGrainsInARowIsTheWiderGap) {
 }
 
 TEST(FacetRoom, ACommonTangentIsNoConstriction) {
-    // A grain between two others that nearly has both common tangents of these: only a vast circle far beside touches
+    // A grain between two others that nearly has both common tangents of these: only a vast circle far away touches
     // all three, and on the side of the tangent that it reaches over none. The room is between it and one of the two.
     for (const double height : {0.01, 0.0149, 0.015, 0.0151}) {
         const Vec3 b{4, 0, 0}, c{2, height, 0};

@@ -78,7 +78,7 @@ void expect_grains_apart(const Mat3& h, std::span<const Vec3> position, std::spa
 inline constexpr std::array<std::array<std::size_t, 3>, 4> facet_corner = {
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-/// The three grains of a throat, in the place that it has beside its side 0.
+/// The three grains of a throat, in the place that it has next to its side 0.
 struct ThroatGrains {
     std::array<std::uint32_t, 3> row;
     std::array<cell::Image, 3> image;
@@ -101,7 +101,7 @@ struct ThroatSpheres {
 ThroatSpheres
 spheres_of(const PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t t);
 
-/// Centers of the two pores beside throat t [m].
+/// Centers of the two pores next to throat t [m].
 std::array<Vec3, 2> centers_around(const PoreNetwork& network, std::size_t t);
 
 /// Measures throat t (again) from the same: what not every reader needs is measured where it is needed.

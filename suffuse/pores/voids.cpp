@@ -44,7 +44,7 @@ bool are_one(const VoidSphere& a, const VoidSphere& b, const Vec3& apart, VoidMe
 }
 
 /// A throat from a void to another, `image` periods from it; the first is the one of lower row, so that all throats
-/// between the two tell the same.
+/// between the two have the same.
 struct Window {
     std::uint32_t one, other;
     cell::Image image;

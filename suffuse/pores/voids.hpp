@@ -1,6 +1,6 @@
 #pragma once
 // Voids of a packing, each of one pore or of several. A tetrahedron of the triangulation is no natural void: neighbors
-// often share one, and the facet between them is then no constriction but a cut through it. Pores are told apart by
+// often share one, and the facet between them is then no constriction but a cut through it. Pores are distinguished by
 // their void spheres, each of which touches the pore's four grains from between [AlRaoush 2003] [Reboul 2008].
 
 #include "suffuse/base/vec3.hpp"
@@ -14,7 +14,7 @@
 
 namespace suffuse::pores {
 
-/// Which neighboring pores belong to one void, beside those of coincident centers, which always do.
+/// Which neighboring pores belong to one void, besides those of coincident centers, which always do.
 enum class VoidMerge {
     None,    ///< no others: each facet is a constriction, the reference's choice
     Center,  ///< the center of the void sphere of one lies in that of the other

@@ -100,7 +100,7 @@ PoreNetwork network_of(std::size_t pores, const std::vector<Link>& links) {
 }
 
 TEST(WidestPath, CountsPeriodsAlongTheAxisOnly) {
-    // Pore 0 loops along (1, 1, 0): along b as well as along a, whatever the other axis does. Pore 1 hangs on it.
+    // Pore 0 loops along (1, 1, 0): along b as well as along a, whatever the other axis does. Pore 1 depends on it.
     const PoreNetwork network = network_of(2, {{0, 0, {1, 1, 0}, 4}, {0, 1, {0, 0, 1}, 2}});
     EXPECT_EQ(widest_paths(network, 0), (std::vector<double>{4, 2}));
     EXPECT_EQ(widest_paths(network, 1), (std::vector<double>{4, 2}));

@@ -18,7 +18,7 @@ namespace suffuse::record {
 Sums read_run_sums(const std::filesystem::path& run);
 
 /// Writes them.
-/// @param figures names of those that the report has; what else lies beside them is not the run's
+/// @param figures names of those that the report has; what else lies next to them is not the run's
 /// @param earlier of the run; a stage that has no checksums of its own keeps these
 /// @throws IoError
 void write_run_sums(const std::filesystem::path& run, const std::vector<std::string>& figures, const Sums& earlier);
@@ -48,8 +48,7 @@ struct Verification {
     MissingStages missing;         ///< stages that the case has and the folder has not
 };
 
-/// Checks every file against its checksum and that of its stage, and every state against the hash that its stage.json
-/// tells.
+/// Checks every file against its checksum and that of its stage, and every state against the hash in its stage.json.
 /// @throws IoError where the folder is no run, or its run was interrupted
 Verification verify_run(const std::filesystem::path& run);
 

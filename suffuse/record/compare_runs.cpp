@@ -95,7 +95,7 @@ private:
         return value.is_number() ? std::abs(value.get<double>()) : std::numeric_limits<double>::infinity();
     }
 
-    /// A stress, a permeability, a cell: what stands beside its diagonal is chance around zero, and no number of its
+    /// A stress, a permeability, a cell: what stands next to its diagonal is chance around zero, and no number of its
     /// own.
     static bool is_matrix(const json& value) {
         constexpr std::size_t rows = 3;

@@ -1,5 +1,5 @@
 #pragma once
-// Files of earlier versions, without `ended`, tell why an erosion stopped in a sentence alone.
+// Files of earlier versions, without `ended`, state why an erosion stopped in a sentence alone.
 
 #include "suffuse/erosion/ending.hpp"
 
@@ -7,7 +7,7 @@
 
 namespace suffuse::record {
 
-/// The ending that the sentence of such a file tells, with its rounded numbers; else OtherWording.
+/// The ending that the sentence of such a file shows, with its rounded numbers; else OtherWording.
 erosion::Ending ending_of_sentence(const std::string& sentence);
 
 } // namespace suffuse::record

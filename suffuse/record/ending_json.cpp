@@ -64,7 +64,7 @@ constexpr const char* name_of(const OtherWording&) {
     return "told otherwise";
 }
 
-/// OtherWording has a sentence alone, which is beside `ended`.
+/// OtherWording has a sentence alone, which is next to `ended`.
 template <class Why>
 constexpr bool has_numbers = !std::is_empty_v<Why> && !std::is_same_v<Why, OtherWording>;
 

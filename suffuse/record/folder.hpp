@@ -35,7 +35,7 @@ void open_folder(const std::filesystem::path& run, const casefile::Case& what, c
 /// The case as it was resolved when the run began: what makes a folder that of a run.
 inline constexpr const char* resolved_case_file = "case.resolved.toml";
 
-/// What was asked when the run began: preset, overrides, studies.
+/// The request when the run began: preset, overrides, studies.
 inline constexpr const char* options_file = "run_options.json";
 
 /// @throws IoError where the folder holds no run that has begun.

@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] io::Checkpoint load() const;
 
-    /// @param told describe_state of what was saved; empty where an earlier version did not tell
+    /// @param expected describe_state of what was saved; empty if an earlier version did not record it
     void check(const dem::World& world, const std::string& expected) const;
 
     /// Throws IoError: it is of another case, sample, stage or seed.

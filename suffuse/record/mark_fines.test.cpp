@@ -62,7 +62,7 @@ TEST(MarkFines, APackingWithoutFinesIsRefusedWhereAStageNeedsThem) {
     casefile::Variant variant = eroded_mixture(band(1.2e-3, 1.5e-3), band(0.9e-3, 1.0e-3));
     EXPECT_NE(complaint(variant, grains_of({1.3e-3, 1.4e-3})).find("leaves no fines"), std::string::npos);
     EXPECT_NE(complaint(variant, grains_of({0.9e-3, 0.95e-3})).find("leaves no skeleton"), std::string::npos);
-    variant.soil->fines_content = 0; // none are asked for
+    variant.soil->fines_content = 0; // none are requested
     EXPECT_EQ(complaint(variant, grains_of({1.3e-3, 1.4e-3})), "");
     variant.soil->fines_content = 0.5;
     variant.stages.front().spec = dem::SettleSpec{};

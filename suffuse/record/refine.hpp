@@ -18,10 +18,10 @@ struct Refinement {
     std::string reason;                             ///< "void_ratio of loose is lowest at fines_content = 30 %"
 };
 
-/// What `refine` asks for; nothing for a study some of whose samples are not there.
+/// What `refine` requires; nothing for a study some of whose samples are not there.
 std::vector<Refinement> find_refinements(const casefile::Case& what, const std::filesystem::path& run);
 
-/// Whether they ask for samples that the case has not.
+/// Whether they require samples that the case has not.
 bool add_samples(const casefile::Case& what, const std::vector<Refinement>& refinements);
 
 void keep_refinements(const std::filesystem::path& run, const std::vector<Refinement>& refinements);

@@ -14,7 +14,7 @@ struct Sample {
     const casefile::Variant* variant = nullptr;
     int number = 0;      ///< 1-based, over the whole run
     int first_stage = 0; ///< number of its first stage, 1-based, over the whole run
-    int stages = 0;      ///< how many of its stages are to be run: all, or those up to the one asked for as the last
+    int stages = 0;      ///< how many of its stages are to be run: all, or those up to the requested last one
 };
 
 /// In the order of the file. With `until`, each sample ends with its stage of that name, and those without one are
@@ -25,14 +25,14 @@ list_samples(const casefile::Case& what, const std::string& until = {}, const st
 /// "STUDY/SAMPLE/STAGE", as warnings and tables say where.
 std::string stage_name(const casefile::Variant& variant, const casefile::Stage& stage);
 
-/// Whether [output] asks for this format.
+/// Whether [output] requests this format.
 bool writes(const casefile::OutputSpec& output, std::string_view format);
 
 /// Whether the stage leaves CSV tables of many rows: the last stage does, those of imported samples do, and others
-/// where [output] asks for it.
+/// where [output] requests it.
 bool leaves_tables(const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage);
 
-/// Whether the soil tells coarse and fine grains apart, so that every stage has their numbers.
+/// Whether the soil distinguishes coarse and fine grains, so that every stage has their numbers.
 bool has_fractions(const casefile::Variant& variant);
 
 } // namespace suffuse::record

@@ -20,7 +20,7 @@ namespace suffuse::record {
 /// the clock, and the order of the rows.
 std::string describe_state(const dem::World& world);
 
-/// Whose entries a cache takes. Checksums tell accident from intent no better than who wrote them does.
+/// Whose entries a cache takes. Checksums show accidents, not intent.
 enum class Owners { Self, Anybody };
 
 /// Whether the cache had a stage.
@@ -32,7 +32,7 @@ struct CacheAnswer {
 class StageCache {
 public:
     static constexpr std::int64_t usual_limit = 10'000'000'000; ///< [B]
-    static constexpr const char* prices_file = "prices.txt";    ///< what past stages took, beside the entries
+    static constexpr const char* prices_file = "prices.txt";    ///< what past stages took, next to the entries
 
     /// An empty path is a cache that holds nothing and keeps nothing.
     /// @param owners Self: entries that another user made count as not there
@@ -53,7 +53,7 @@ public:
 
     /// Completes a stage, under its own name, with the files of the entry. A damaged one is dropped, and nothing of it
     /// taken.
-    /// @param stage_key key_of_stage: another case may have asked for the same in other words
+    /// @param stage_key key_of_stage: another case may have requested the same in other words
     [[nodiscard]] CacheAnswer take(
         const std::string& key, const casefile::Variant& variant, const casefile::Stage& stage,
         const std::filesystem::path& stage_folder, const std::string& stage_key

@@ -8,7 +8,7 @@
 
 namespace suffuse::record {
 
-/// Nothing where one of the two is not finished, or an earlier version did not tell.
+/// Nothing where one of the two is not finished, or an earlier version did not record it.
 /// @throws IoError where they do not fit
 void check_start(const casefile::Variant& variant, const casefile::Stage& stage, const std::filesystem::path& run);
 

@@ -23,7 +23,7 @@ std::optional<std::size_t> stated_count(const fs::path& folder) {
     try {
         const json numbers = read_json(folder / stage_numbers);
         return numbers.contains(count_key) ? std::optional(numbers.at(count_key).get<std::size_t>()) : std::nullopt;
-    } catch (const json::exception&) { // its own checksum tells more
+    } catch (const json::exception&) { // its own checksum shows more
     } catch (const IoError&) {
     }
     return std::nullopt;

@@ -1,6 +1,6 @@
 #pragma once
 // SHA256SUMS of a stage: every file that the stage left. It is written just before stage.json, whose checksum it has
-// too, and stage.json tells how many files it lists: a finished stage cannot lose its checksums unnoticed. Stages that
+// too, and stage.json shows how many files it lists: a finished stage cannot lose its checksums unnoticed. Stages that
 // a version before them finished have none, and say so by the want of that number.
 
 #include "suffuse/record/sums.hpp"

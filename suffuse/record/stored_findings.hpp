@@ -1,5 +1,5 @@
 #pragma once
-// What the report draws from a stage beside its numbers, as results.cbor keeps it.
+// What the report draws from a stage besides its numbers, as results.cbor keeps it.
 
 #include "suffuse/record/finished_stage.hpp"
 

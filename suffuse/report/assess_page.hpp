@@ -14,7 +14,7 @@ namespace suffuse::report {
 struct PageSoil {
     std::string name;
     std::vector<double> diameter, passing; ///< as measured: sizes rising [m], shares finer [-]
-    nlohmann::json filter = nullptr;       ///< what `assess --json` says of a filter; null: none was asked for
+    nlohmann::json filter = nullptr;       ///< what `assess --json` says of a filter; null: none was requested
 };
 
 /// What the sliders begin with.

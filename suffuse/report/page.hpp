@@ -1,7 +1,7 @@
 #pragma once
 // The report of a run: one HTML file that opens offline from `file:` and makes no request. With the page's script
 // (built from the report/ folder by npm) its figures are charts; without it the report is plain and says what is
-// missing. Beside it, `figures/` holds each figure's numbers as CSV and its chart as a Vega-Lite specification.
+// missing. Next to it, `figures/` holds each figure's numbers as CSV and its chart as a Vega-Lite specification.
 
 #include "suffuse/answer/opening.hpp"
 #include "suffuse/figures/figure.hpp"
@@ -28,7 +28,7 @@ struct Unfinished {
     std::string command; ///< with which it goes on
 };
 
-/// What a citation names beside the paper.
+/// What a citation names besides the paper.
 struct CitedProgram {
     std::string version, commit;
     bool names_run = false; ///< seed and hash of a case stand in the provenance
@@ -50,7 +50,7 @@ struct ReportData {
     answer::Opening opening;         ///< the answer in one look
     std::vector<std::string> answer; ///< in sentences with all numbers, folded
     std::vector<study::Finding> findings;
-    std::vector<std::string> flaws; ///< what makes a result worth less: told in the open
+    std::vector<std::string> flaws; ///< what makes a result worth less: stated in the opening
     std::vector<std::string> warnings;
     std::vector<std::string> case_warnings; ///< of the check of the case, before anything ran
     std::vector<AssumedValue> assumed;

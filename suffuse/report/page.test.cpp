@@ -282,7 +282,7 @@ TEST_F(Page, AnEmptyReportIsStillAPage) {
     EXPECT_EQ(page.find("id=\"erosion\""), std::string::npos);
 }
 
-// Not a check of its own: page/test.sh asks for the runs that the browser tests open.
+// Not a check of its own: page/test.sh makes the runs that the browser tests open.
 TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
     const char* folder = std::getenv("SUFFUSE_SAMPLE_FOLDER");
     const char* page = std::getenv("SUFFUSE_SAMPLE_PAGE");

@@ -1,5 +1,5 @@
 #pragma once
-// How good the mechanics of each stage is: what reviewers ask for first, against the limits in force.
+// How good the mechanics of each stage is: what reviewers look at first, against the limits in force.
 
 #include "suffuse/report/numbering.hpp"
 
@@ -26,7 +26,7 @@ struct StageRow {
     double coordination = 0;                     ///< mean contacts a grain [-]
     double mean_stress = 0, deviator_stress = 0; ///< [Pa]
     Measured unbalanced_force;                   ///< mean resultant over mean contact force [-]
-    Measured stress_error;                       ///< largest error of a stress asked for, over that stress [-]
+    Measured stress_error;                       ///< largest error of a specified stress, over that stress [-]
     Measured overlap;                            ///< largest, over the smaller radius [-]
     Measured inertial_number;                    ///< largest of the stage [-]
     double kinetic_share = std::numeric_limits<double>::quiet_NaN(); ///< kinetic energy over p V [-]

@@ -39,7 +39,7 @@ struct SceneState {
     std::vector<double> speed, fluid_force; ///< in the probe of the next pass; not a number where it saw no such grain,
                                             ///< empty without a probe [m/s], [N]
     std::vector<double> mobile_gradient;    ///< that moves it against its weight; not a number where none does, empty
-                                            ///< where nobody asked [-]
+                                            ///< if not requested [-]
     std::vector<SceneContact> contacts;
     std::optional<SceneCount> whole; ///< with the contacts that were left out; nothing where none was
 };
@@ -62,7 +62,7 @@ inline bool is_present(const Scene& scene, const SceneState& state, std::size_t 
 
 SceneCount count_scene(const Scene& scene, const SceneState& state);
 
-/// Leaves the contacts out that bear no more than the mean normal force; what count_scene tells is still of all.
+/// Leaves the contacts out that bear no more than the mean normal force; what count_scene counts is still of all.
 void leave_out_weak_contacts(const Scene& scene, SceneState& state);
 
 /// For the page's script. Numeric columns are base64 of little-endian arrays, named with their type ("u16", "f32",

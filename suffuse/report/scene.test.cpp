@@ -147,7 +147,8 @@ TEST(Still, OfOneGrainIsADiscOfItsSize) {
         return seen;
     };
     // Along the eye (1, -1.6, 0.9) the cube of side 8 reaches farthest to the side: 4 (1.6 + 1)/sqrt(1.6^2 + 1), and
-    // upward: 4 (|u1| + |u2| + |u3|) with u = (-0.9, 1.44, 3.56)/sqrt(0.9^2 + 1.44^2 + 3.56^2). The grain is beside it.
+    // upward: 4 (|u1| + |u2| + |u3|) with u = (-0.9, 1.44, 3.56)/sqrt(0.9^2 + 1.44^2 + 3.56^2). The grain is next to
+    // it.
     const double side = 4 * 2.6 / std::sqrt(3.56);
     const double upward = 4 * (0.9 + 1.44 + 3.56) / std::sqrt(0.81 + 2.0736 + 12.6736);
     const double radius = 0.5 * pixels / (1.01 * (std::max(side, upward) + 1));

@@ -92,7 +92,7 @@ void draw_sphere(Canvas& canvas, const Vec3& center, double radius, std::uint8_t
             }
             const double z = std::sqrt(rest);
             const double lit = std::max(0.0, dot({x, y, z}, light));
-            const double rim = std::clamp(z / 0.45, 0.35, 1.0); // a dark rim tells touching grains apart
+            const double rim = std::clamp(z / 0.45, 0.35, 1.0); // a dark rim distinguishes touching grains
             const double shade = std::clamp(rim * (0.42 + 0.58 * lit), 0.0, 1.0);
             canvas.put(
                 column, row, center.z + radius * z,

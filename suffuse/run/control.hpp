@@ -1,5 +1,5 @@
 #pragma once
-// The pulse of one sample: shows progress, saves what is needed to go on, and ends the work when asked to.
+// The pulse of one sample: shows progress, saves what is needed to go on, and ends the work on request.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/world.hpp"
@@ -21,10 +21,10 @@ public:
     /// How to save the stage half-way; nothing: a stopped stage begins again.
     void save_with(std::function<void()> save) { save_ = std::move(save); }
 
-    /// The axis whose strain is shown; z unless told.
+    /// The axis whose strain is shown; z unless specified.
     void show_strain_of(int axis) { axis_ = axis; }
 
-    /// Called between bursts. @throws Interrupted, after saving, when asked to stop or out of time.
+    /// Called between bursts. @throws Interrupted, after saving, on request or out of time.
     void beat(std::string_view part, long long steps, const dem::World* world = nullptr);
 
     /// The same for parts of the library that know no run.
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] double rate(long long steps, std::size_t grains);
 
     Clock::time_point stage_start_ = Clock::now(), saved_ = stage_start_, shown_ = stage_start_;
-    Clock::time_point rate_start_;  ///< when steps were first told
+    Clock::time_point rate_start_;  ///< when steps were first reported
     long long rate_first_step_ = 0; ///< how many they were: a stage that was resumed does not begin at 0
     Progress progress_;
     int axis_ = 2; ///< that is compressed

@@ -11,7 +11,7 @@
 
 namespace suffuse::run {
 
-/// Writes the files that the formats ask for, `stem`.vtp and `stem`.xyz: grains with their stress and mean stress [Pa],
+/// Writes the files of the formats, `stem`.vtp and `stem`.xyz: grains with their stress and mean stress [Pa],
 /// the latter with their color in the report, too.
 /// @param further columns, a row a grain
 void write_grain_pictures(

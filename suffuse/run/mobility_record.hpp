@@ -13,7 +13,7 @@ namespace suffuse::run {
 /// "with weight", "weightless": in stage.json of every stage that probes fines.
 const char* model_name(bool weighs);
 
-/// mobility.csv: a row a step of the ramp. Several ramps are told apart by a column `pass`.
+/// mobility.csv: a row a step of the ramp. Several ramps are distinguished by a column `pass`.
 void write_mobility(const std::filesystem::path& folder, std::span<const erosion::MobilityResult* const> ramps);
 
 /// The gradient at which each grain of the world was mobile; not a number for those that were not, or are no fines.

@@ -1,5 +1,5 @@
 #pragma once
-// A speed threshold knows no twin: where it takes grains that the probe's twin does not tell apart, the run says so.
+// A speed threshold knows no twin: where it takes grains that the probe's twin does not distinguish, the run says so.
 
 #include "suffuse/erosion/result.hpp"
 #include "suffuse/erosion/spec.hpp"

@@ -6,7 +6,7 @@
 
 namespace suffuse::run {
 
-/// Writes pass-0 (before the first pass), pass-1 and so on, in the formats that the case asks for; the state after the
+/// Writes pass-0 (before the first pass), pass-1 and so on, in the formats of the case; the state after the
 /// last pass is the stage's own. Further columns: `leaves_in_pass` (0: stays), what the probe of the coming pass saw of
 /// the fines, or the gradient that moves them against their weight.
 void write_pass_pictures(const StageWork& work, const erosion::ErosionResult& result);

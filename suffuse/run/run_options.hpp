@@ -1,5 +1,5 @@
 #pragma once
-// What is asked of a run, and what it says of itself while it goes.
+// The options of a run, and what it reports while it runs.
 
 #include "suffuse/erosion/own_rule.hpp"
 #include "suffuse/record/stage_cache.hpp"
@@ -39,8 +39,8 @@ struct Progress {
 struct RunOptions {
     std::filesystem::path folder; ///< of the run; made if absent
     std::string until;            ///< each sample ends with its stage of this name; empty: all stages
-    std::string sample; ///< run this one alone (its folder below studies/), beside other programs that run the others;
-                        ///< what they leave is gathered by rebuild_report. Empty: all samples
+    std::string sample; ///< run this one alone (its folder below studies/), at the same time as other programs that run
+                        ///< the others; what they leave is gathered by rebuild_report. Empty: all samples
     double time_limit =
         std::numeric_limits<double>::infinity();      ///< wall seconds after which the state is saved and the run stops
     const std::atomic<bool>* stop = nullptr;          ///< set by a signal handler: save and stop at the next burst

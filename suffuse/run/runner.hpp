@@ -8,7 +8,7 @@
 
 namespace suffuse::run {
 
-/// Runs the samples that are asked for, and those that `refine` adds to them. Stages that the folder already holds are
+/// Runs the samples that are requested, and those that `refine` adds to them. Stages that the folder already holds are
 /// taken as they are. Results do not depend on how many run side by side.
 /// @return false where it was stopped, or its time is over
 bool run_samples(const casefile::Case& what, const RunOptions& options, Overview& overview);

@@ -17,7 +17,7 @@ public:
         : what_(what), options_(options), sample_(sample), overview_(overview),
           control_(overview, what.output.checkpoint), cache_(options.cache, options.cache_owners) {}
 
-    /// Runs the stages that the folder does not hold yet. @throws Interrupted when asked to stop; the errors of the
+    /// Runs the stages that the folder does not hold yet. @throws Interrupted on request; the errors of the
     /// stage that failed, which `stage()` then names.
     void run();
 
@@ -29,7 +29,7 @@ public:
 
 private:
     void run_stage(const casefile::Stage& next_stage);
-    /// That a stage was asked for with; null: none.
+    /// With which a stage was requested; null: none.
     [[nodiscard]] const erosion::OwnRule* own_rule_of(const casefile::Stage& stage) const;
     bool take_from_cache(
         const casefile::Stage& stage, const std::filesystem::path& folder, const std::string& key,

@@ -1,4 +1,4 @@
-// The verbs that ask what water does: flow, detach.
+// The verbs with water: flow, detach.
 
 #include "suffuse/base/words.hpp"
 #include "suffuse/dem/inspect.hpp"
@@ -43,7 +43,7 @@ json force_difference(const std::vector<Vec3>& network, const std::vector<Vec3>&
     return or_null(std::sqrt(difference / size));
 }
 
-/// The flow between the grains themselves, beside that of the network.
+/// The flow between the grains themselves, next to that of the network.
 json resolved_numbers(const stokes::ResolvedFlow& flow, const std::vector<Vec3>& network_force) {
     json numbers = {
         {"permeability", flow.permeability},

@@ -33,7 +33,7 @@ struct StageWork {
     StrainPictures pictures;
     nlohmann::json numbers = nlohmann::json::object(); ///< of stage.json, beyond those of every state
     record::StageFindings findings;
-    std::vector<double> mobile_gradient;   ///< of the world's grains; empty where nobody asked [-]
+    std::vector<double> mobile_gradient;   ///< of the world's grains; empty if not requested [-]
     std::vector<io::GrainColumn> pictured; ///< of the world's grains, for pictures beyond what every state has
     std::vector<std::string> warnings, flaws;
     double time_step = 0;         ///< of the last burst [s]

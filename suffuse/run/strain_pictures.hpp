@@ -1,6 +1,6 @@
 #pragma once
 // Pictures of the state while a sample is strained: one each time the largest strain of the stage passes a further
-// multiple of what [output] snapshots asks, named after it, so that a stage that was stopped goes on with the same
+// multiple of what [output] snapshots specifies, named after it, so that a stage that was stopped goes on with the same
 // names.
 
 #include "suffuse/casefile/case.hpp"
@@ -30,7 +30,7 @@ private:
 
     const casefile::OutputSpec* output_;
     std::filesystem::path folder_;
-    int last_ = 0; ///< multiples of the strain asked that were passed
+    int last_ = 0; ///< multiples of the specified strain that were passed
 };
 
 } // namespace suffuse::run

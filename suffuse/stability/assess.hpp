@@ -43,7 +43,7 @@ struct Assessment {
 
 inline constexpr std::size_t kenney_lau_1985_row = 0; ///< among the criteria
 
-/// @throws CaseError for a curve that is none, a size asked for outside of it, or a number out of its range.
+/// @throws CaseError for a curve that is none, a specified size outside of it, or a number out of its range.
 Assessment assess(const grains::Grading& grading, const AssessSpec& spec = {});
 
 /// How many criteria of the grading say what, those alone that were verified.

@@ -17,7 +17,7 @@ Criterion burenkova(const grains::Grading& grading);
 /// The probability that a soil is unstable, P = e^Z/(1 + e^Z). Z has one form for sand-gravel with at most 10 % finer
 /// than 0.075 mm, another for silt-sand-gravel. We call a soil unstable from P = 50 % on. Cannot say: without gravel;
 /// above Burenkova's band, which was not tested; with more than 10 % of clay; with a fine fraction below 15 % where
-/// there is silt. A curve does not tell plasticity: the soil is taken as non-plastic (index at most 12).
+/// there is silt. A curve does not give plasticity: the soil is taken as non-plastic (index at most 12).
 Criterion wan_fell(const grains::Grading& grading, const std::optional<FineFraction>& fines);
 
 /// For broadly graded silt-sand-gravel with 20 % or more of fine fraction, no gap: unstable where the coarse slope is

@@ -1,5 +1,5 @@
 #pragma once
-// The criteria of internal stability, one row each: id, name, what is measured, limit, source, and what it asks, in
+// The criteria of internal stability, one row each: id, name, what is measured, limit, source, and what it measures, in
 // words. The criteria themselves, `suffuse explain CRITERION` and the page of `assess --page` take them from here.
 
 #include "suffuse/stability/criterion.hpp"
@@ -16,7 +16,7 @@ namespace suffuse::stability {
 Criterion define(std::string_view id);
 
 /// One screen on a criterion by its id, "kenney-lau-1986"; on each that a word of ids means, "kezdi", "kenney-lau", or
-/// that reads the number asked for, "alpha", "h/f"; nothing where there is none.
+/// that reads the specified number, "alpha", "h/f"; nothing where there is none.
 std::optional<std::string> explain_criterion(std::string_view word);
 
 /// Ids of all criteria, in the order of the assessment, those of gradients last.

@@ -24,7 +24,7 @@ Criterion terzaghi(const UpwardSeepage& seepage);
 /// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
 /// stable all grains carry, alpha = 1 [Skempton and Brogan 1994, abstract]. That is their stricter limit, H/F >= 1.3:
 /// from 1 to 1.3 their two limits disagree, and to take alpha = 1 there would be to the unsafe side. Elsewhere alpha
-/// must be known; without it the criterion cannot say, and tells the alpha that the fines would need.
+/// must be known; without it the criterion cannot say, and gives the alpha that the fines would need.
 Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape);
 
 } // namespace suffuse::stability

@@ -18,7 +18,7 @@ struct ShapePoint {
 /// with F from `from` to `to` are among them.
 std::vector<ShapePoint> shape_curve(const grains::Grading& grading, double from = 0, double to = 1);
 
-/// A range of sizes [m] that the soil hardly has.
+/// A range of sizes [m] that the soil almost lacks.
 struct Gap {
     double fine_end = 0, coarse_end = 0;
     double finer = 0; ///< mass fraction below it [-]

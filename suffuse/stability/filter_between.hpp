@@ -36,7 +36,7 @@ struct LargestFilter {
 
 std::optional<LargestFilter> largest_filter(const BaseSoil& base);
 
-/// A filter beside a base.
+/// A filter of a base.
 struct FilterCheck {
     Assessment own;                  ///< the filter's internal stability
     std::vector<Criterion> criteria; ///< Verdict::Stable: it holds

@@ -18,8 +18,9 @@ struct FineFraction {
     FinesBasis basis = FinesBasis::Given;
 };
 
-/// As asked [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without either.
-/// @throws CaseError where the size asked for has no mass on one side.
+/// As specified [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without
+/// either.
+/// @throws CaseError where the specified size has no mass on one side.
 std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> limit);
 
 } // namespace suffuse::stability

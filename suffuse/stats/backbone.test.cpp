@@ -10,7 +10,7 @@
 namespace suffuse::stats {
 namespace {
 
-/// A ring of four grains, a chain of two that hangs on it (4 on 3, 5 on 4), and a grain alone.
+/// A ring of four grains, a chain of two that depends on it (4 on 3, 5 on 4), and a grain alone.
 dem::World ring_with_tail() {
     dem::World world = test::empty_world(40);
     test::add(world, {10, 10, 10}, 1);

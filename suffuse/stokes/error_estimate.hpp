@@ -1,7 +1,7 @@
 #pragma once
 // How far conjugate gradients are from the solution, in the norm of the equations (the power of the forces that are
 // wrong). An iteration lessens the square of that by a gain that is known, so that all gains to come are what is left
-// (Hestenes and Stiefel). Those of the residual tell less: velocities that are nearly still may come from forces that
+// (Hestenes and Stiefel). Those of the residual show less: velocities that are nearly still may come from forces that
 // are far off.
 
 #include <algorithm>

@@ -26,7 +26,7 @@ struct ResolvedFlow {
     Vec3 pressure_gradient;        ///< mean: -i rho g direction [Pa/m]
     Vec3 mean_velocity;            ///< superficial [m/s]
     double permeability = 0;       ///< along the direction, also known at i = 0 [m2]
-    std::optional<Mat3> tensor;    ///< permeability tensor, where asked [m2]
+    std::optional<Mat3> tensor;    ///< permeability tensor, if requested [m2]
     std::vector<Vec3> grain_force; ///< of the fluid on each grain, without buoyancy; rows as given [N]
     Vec3 force_sum;                ///< over all grains: -V grad p [N]
 

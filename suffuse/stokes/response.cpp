@@ -89,7 +89,7 @@ Wave<Real>* working_memory(const Layout& at) {
     return reinterpret_cast<Wave<Real>*>(work_of_thread.data());
 }
 
-/// From one memory into another, so that FFTW asks for none of its own: rows along z, columns along y of a plane,
+/// From one memory into another, so that FFTW needs none of its own: rows along z, columns along y of a plane,
 /// lines along x of a y.
 template <class Real>
 struct Plans {

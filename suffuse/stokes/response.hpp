@@ -1,6 +1,6 @@
 #pragma once
 // The velocity of a viscous incompressible fluid without grains under a given body force, in a periodic cell: by
-// Fourier transforms, exactly as the differences of the staggered grid ask for. In single precision it takes half the
+// Fourier transforms, exactly as the differences of the staggered grid require. In single precision it takes half the
 // time; both precisions work in the same memory.
 
 #include "suffuse/stokes/grid.hpp"

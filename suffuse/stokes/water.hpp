@@ -1,5 +1,5 @@
 #pragma once
-// The water of a packing by the pore network, and by the flow between the grains themselves where that is asked for, or
+// The water of a packing by the pore network, and by the flow between the grains themselves where that is requested, or
 // where the network is known to fail.
 
 #include "suffuse/flow/known_error.hpp"
@@ -30,8 +30,8 @@ struct Water {
 };
 
 /// Solves the network always: paths, fluxes and tortuosity are its own. With Solver::Network and `resolve` the resolved
-/// flow stands beside it and is not the source; Solver::Auto takes the network's in a sheared cell.
-/// @param fine 1 for a fine grain, a row a grain; where none is marked, sizes tell (flow::distinguish_fines)
+/// flow stands next to it and is not the source; Solver::Auto takes the network's in a sheared cell.
+/// @param fine 1 for a fine grain, a row a grain; where none is marked, sizes decide (flow::distinguish_fines)
 /// @throws as flow::solve_seepage and resolve_flow
 Water solve_water(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius,

@@ -1,5 +1,5 @@
 #pragma once
-// Beyond its peak a test tells what is left: the deviator stress at a strain, and that of the critical state, in which
+// Beyond its peak a test shows what is left: the deviator stress at a strain, and that of the critical state, in which
 // the sample shears on with nothing changing any more. Whether a test was long enough to see it is judged, not assumed.
 
 #include "suffuse/triaxial/run_path.hpp"

@@ -23,7 +23,7 @@ struct ErosionStory {
     Erosions chain;                                ///< it, and the stages whose passes follow its own
     std::vector<StagePass> made_in;                ///< each pass of `erosion`
     std::vector<erosion::ProbeResult> probes;
-    erosion::DetachSpec probed_by;  ///< the rule that their stage asks for
+    erosion::DetachSpec probed_by;  ///< the rule that their stage specifies
     erosion::ErosionResult erosion; ///< all passes of the chain
     Erosions others;                ///< from other states of the same sample
 };

@@ -9,7 +9,7 @@
 
 namespace suffuse::study {
 
-/// Nothing where a run cannot tell.
+/// Nothing where a run cannot decide.
 using Verdict = std::optional<bool>;
 
 /// A claim of two parts: false as soon as one part is, true only when both are known to be.
@@ -28,7 +28,7 @@ struct Finding {
     Verdict met;
 
     std::vector<std::string> our_numbers = {}; ///< parts of `claim` that the paper does not give
-    Verdict in_words = std::nullopt; ///< whether the paper's words hold without them; nothing where that is not asked
+    Verdict in_words = std::nullopt; ///< whether the paper's words hold without them; nothing where that is not needed
     bool is_noise = false;           ///< what would meet it is noise of the balance, not the water's doing
     bool seeds_disagree = false;     ///< some seeds meet it and others do not
     std::string why = {};            ///< the reason, a sentence or two; empty where it is plainly met
@@ -51,7 +51,7 @@ std::string list_our_numbers(const Finding& finding);
 /// "1 of 7 met; 3 met by noise; 1 not met by our number; 2 not met": those that there are.
 std::string count_standings(const std::vector<Finding>& findings);
 
-/// The reason as told in a row of findings: "As E4." where one before has the same.
+/// The reason as reported in a row of findings: "As E4." where one before has the same.
 std::string reason_in_table(const std::vector<Finding>& findings, std::size_t at);
 
 /// One finding for the same case run with several seeds: where they disagree, the criterion cannot be decided.

@@ -1,5 +1,5 @@
 #pragma once
-// What decides each finding, whatever the run: the short explanation beside the report's table, and of `explain E4`.
+// What decides each finding, whatever the run: the short explanation next to the report's table, and of `explain E4`.
 
 #include <string_view>
 

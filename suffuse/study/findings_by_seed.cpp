@@ -7,7 +7,7 @@
 namespace suffuse::study {
 namespace {
 
-/// The sample that tells the story: the first that was eroded, or else the first that was probed.
+/// The sample whose story is shown: the first that was eroded, or else the first that was probed.
 const record::FinishedStage* find_first(const std::vector<record::FinishedStage>& stages) {
     const auto any = [](const record::FinishedStage&) { return true; };
     const record::FinishedStage* const eroded = find_eroded(stages, any);

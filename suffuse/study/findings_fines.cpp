@@ -62,7 +62,7 @@ void judge_words(const ContentCurve& curve, const Judge& judge, Finding& finding
     finding.in_words = agreed(verdicts_of(curve, judge));
 }
 
-/// Whether an extreme lies between two fines contents. Points too far apart cannot tell, nor can an end of the curve
+/// Whether an extreme lies between two fines contents. Points too far apart cannot decide, nor can an end of the curve
 /// that is not an end of the soil.
 Verdict lies_between(const std::optional<Extreme>& found, double least, double most) {
     if (!found) {

@@ -11,8 +11,8 @@ namespace suffuse::study {
 /// Grains of a pass that left with at least so many contacts.
 std::int64_t left_with_at_least(const erosion::PassResult& pass, int contacts);
 
-/// That a pass took grains which its own twin without water does not tell apart; empty where it did not. Only a rule on
-/// speed can.
+/// That a pass took grains which its own twin without water does not distinguish; empty where it did not. Only a rule
+/// on speed can.
 std::string describe_noise(const erosion::PassResult* pass);
 
 /// Why a second pass finds no grain that carries load, or too few.

@@ -19,7 +19,7 @@ struct Threshold {
 
 struct FinesStudy {
     std::string study;
-    std::vector<double> fines_content; ///< asked for, increasing [-]
+    std::vector<double> fines_content; ///< requested, increasing [-]
     StageCurve loose;                  ///< a point for each fines content
     StageCurve dense;                  ///< the same; without points where the study has no densest state
     std::vector<Threshold> density;    ///< FC_threshold, marked in Figure 3
@@ -28,7 +28,7 @@ struct FinesStudy {
 
 /// The mixture at one fines content.
 struct Mixture {
-    double fines_content = 0; ///< asked for [-]
+    double fines_content = 0; ///< requested [-]
     grains::Grading specified;
     grains::Grading sampled; ///< of one sample; without points where there is none
 };

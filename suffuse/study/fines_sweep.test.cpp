@@ -24,7 +24,7 @@ SweepPoint at(double content, double void_ratio) {
     return point;
 }
 
-/// A study whose loose state is made by "light" up to FC 10 %, by "heavy" beyond, beside a dense one.
+/// A study whose loose state is made by "light" up to FC 10 %, by "heavy" beyond, next to a dense one.
 struct TwoLooseStages {
     casefile::Case what;
     std::vector<StudyCurves> traced;

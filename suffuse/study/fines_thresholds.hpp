@@ -48,11 +48,11 @@ std::optional<Extreme> find_extreme(const ContentCurve& curve, std::size_t seed,
 
 /// Where a curve that starts flat begins to rise: the break of two straight lines that fit best its part up to nine
 /// tenths of its highest value. Nothing where that part has fewer than four points, does not steepen, or has made a
-/// quarter of its rise before the break; nor where all breaks beside one end of it fit alike, or one far point alone
+/// quarter of its rise before the break; nor where all breaks near one end of it fit alike, or one far point alone
 /// would place it.
 std::optional<double> find_onset(const ContentCurve& curve, std::size_t seed);
 
-/// What tells a threshold.
+/// What determines a threshold.
 enum class ThresholdKind {
     LowestLoose,    ///< FC_threshold by the void ratio of the loose state
     LowestBetween,  ///< FC_threshold at a relative density between loose and dense

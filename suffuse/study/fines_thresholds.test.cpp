@@ -71,8 +71,8 @@ TEST(FinesThresholds, ABreakThatCouldBeAnywhereNextToAnEndCannotBeLocated) {
     EXPECT_FALSE(broken_at(0.05));
     EXPECT_FALSE(broken_at(0.4)) << "at any place up to 60 % the second line goes through the last point";
     EXPECT_FALSE(broken_at(0.5));
-    EXPECT_NEAR(broken_at(0.15).value(), 0.15, 0.3 / 400); // two points before it tell
-    EXPECT_NEAR(broken_at(0.35).value(), 0.35, 0.3 / 400); // two points behind it tell
+    EXPECT_NEAR(broken_at(0.15).value(), 0.15, 0.3 / 400); // two points before it decide
+    EXPECT_NEAR(broken_at(0.35).value(), 0.35, 0.3 / 400); // two points behind it decide
 }
 
 TEST(FinesThresholds, CurvesFollowSeedsAndNotTheirPlaces) {

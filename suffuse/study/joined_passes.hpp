@@ -1,5 +1,5 @@
 #pragma once
-// Erosion stages that follow each other told as one erosion: passes count on, masses and strains are of the first
+// Erosion stages that follow each other as one erosion: passes count on, masses and strains are of the first
 // state.
 
 #include "suffuse/erosion/result.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// What gradients move the fines of a run's samples against their weight: the samples of one stage that differ in their
-// seed alone, side by side.
+// Gradients that move the fines of a run's samples against their weight: the samples of one stage that differ in
+// their seed alone, side by side.
 
 #include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/study_curves.hpp"
@@ -21,13 +21,13 @@ struct MobilityStory {
     bool at_most_1 = false, at_most_10 = false, at_most_50 = false; ///< of one sample at least it is an upper bound
     Scatter skempton_brogan, fines_heave;                           ///< gradients, likewise
     Scatter alpha_fines;                                            ///< [-]
-    Scatter safety;                                                 ///< factor of safety against the asked gradient [-]
-    Scatter moved_at_specified;                                     ///< share of the fines' mass [-]
-    bool moved_at_specified_at_least = false;                       ///< of one sample at least it is a lower bound
-    std::optional<double> specified_gradient;                       ///< the same for all
-    std::optional<double> safety_at_least; ///< where a ramp ends before it moves 1 %: the least of the samples
-    bool sifts = false;                    ///< in one of them at least
-    double moved = 0.5;                    ///< along the flow, beyond which a grain counts as mobile [diameters]
+    Scatter safety;                           ///< factor of safety against the specified gradient [-]
+    Scatter moved_at_specified;               ///< share of the fines' mass [-]
+    bool moved_at_specified_at_least = false; ///< of one sample at least it is a lower bound
+    std::optional<double> specified_gradient; ///< the same for all
+    std::optional<double> safety_at_least;    ///< where a ramp ends before it moves 1 %: the least of the samples
+    bool sifts = false;                       ///< in one of them at least
+    double moved = 0.5;                       ///< along the flow, beyond which a grain counts as mobile [diameters]
 
     [[nodiscard]] const erosion::MobilityResult& one() const { return *of_sample.front(); }
 };
@@ -35,7 +35,7 @@ struct MobilityStory {
 /// In the order of the stages. An erosion gives its first pass: the soil as it was.
 std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages);
 
-/// The one that the report tells first; null where fines have no weight.
+/// The one that the report shows first; null where fines have no weight.
 const MobilityStory* main_mobility(const std::vector<MobilityStory>& stories);
 
 } // namespace suffuse::study

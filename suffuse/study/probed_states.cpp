@@ -14,7 +14,7 @@ bool is_probed(const record::FinishedStage& stage) {
     return std::holds_alternative<triaxial::StressProbeSpec>(stage.stage->spec);
 }
 
-/// "STUDY, VALUE OF THE SWEEP, STAGE": as much of it as tells states apart.
+/// "STUDY, VALUE OF THE SWEEP, STAGE": as much of it as distinguishes states.
 std::string name_of(const record::FinishedStage& stage, const std::vector<record::FinishedStage>& all) {
     const bool is_only_study = std::ranges::all_of(all, [&](const record::FinishedStage& o) {
         return !is_probed(o) || o.study == stage.study;

@@ -1,5 +1,5 @@
 #pragma once
-// What the stages with stress probes of a run found, as the report draws and tells it.
+// What the stages with stress probes of a run found, as the report shows it.
 
 #include "suffuse/record/finished_stage.hpp"
 

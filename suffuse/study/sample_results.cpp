@@ -72,7 +72,7 @@ void add_flow(const record::FinishedStage& stage, Results& to) {
     }
 }
 
-/// The last state that was brought to rest before anything was asked of the sample.
+/// The last state that was brought to rest before any test of the sample.
 void add_state(const record::FinishedStage& stage, bool& is_prepared, Results& to) {
     const casefile::StageSpec& spec = stage.stage->spec;
     const bool prepares = std::holds_alternative<packing::CompactSpec>(spec) ||

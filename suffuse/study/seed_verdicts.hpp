@@ -8,7 +8,7 @@
 
 namespace suffuse::study {
 
-/// What all of them say; nothing where they disagree, or one cannot tell.
+/// What all of them say; nothing where they disagree, or one is undecided.
 inline Verdict agreed(const std::vector<Verdict>& of_seed) {
     const auto all = [&](bool wanted) {
         return !of_seed.empty() &&

@@ -40,10 +40,10 @@ struct StrengthChange {
 
     [[nodiscard]] bool holds_deviator() const;
 
-    /// What tells the strength: the pore pressure or the highest deviator stress [Pa].
+    /// What measures the strength: the pore pressure or the highest deviator stress [Pa].
     [[nodiscard]] const BeforeAfter& borne() const { return holds_deviator() ? pore_pressure : peak_deviator; }
 
-    /// By what is borne; nothing where the change is none beside the scatter of samples.
+    /// By what is borne; nothing where the change is none compared with the scatter of samples.
     [[nodiscard]] std::optional<bool> is_weaker() const;
 };
 

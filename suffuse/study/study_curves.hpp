@@ -45,7 +45,7 @@ struct StageCurve {
 struct StudyCurves {
     std::string study;
     std::vector<std::string> keys; ///< that are swept
-    int replicates = 1;            ///< asked for
+    int replicates = 1;            ///< specified
     std::vector<StageCurve> stages;
 
     /// Null where the study has no such stage.

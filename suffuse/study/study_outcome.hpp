@@ -14,7 +14,7 @@ namespace suffuse::study {
 
 /// The numbers, those that answer more of a question first.
 enum class Result {
-    Safety,             ///< asked gradient against the one that moves 1 % of the fines [-]
+    Safety,             ///< specified gradient against the one that moves 1 % of the fines [-]
     FirstMovement,      ///< gradient that moves 1 % of the fines [-]
     ErodedMass,         ///< carried out by water, of the mass before [-]
     RemovedMass,        ///< taken out without water, of the mass before [-]

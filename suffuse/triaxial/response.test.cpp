@@ -234,7 +234,7 @@ TEST(BeginPath, SetsTheStrainRateFromTheInertialNumber) {
     TriaxialSpec spec;
     spec.inertial_number = 1e-3;
     const PathState state = begin_path(world, spec, diagonal({1e5, 1e5, 1e5}));
-    // I = rate d sqrt(rho/p): back to what was asked with the mean diameter by mass, between the smallest and the
+    // I = rate d sqrt(rho/p): back to what was specified with the mean diameter by mass, between the smallest and the
     // largest.
     const double inertial = state.strain_rate * state.median_diameter * std::sqrt(2600 / 1e5);
     EXPECT_NEAR(inertial, 1e-3 / dem::slower_turning, 1e-15); // grains are lent inertia, and turn so much more slowly

@@ -66,8 +66,9 @@ double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material
 /// number or rows are not above zero, or keys do not belong to the path.
 PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress);
 
-/// One burst of steps; appends a row when the strain has grown by the interval asked. @return whether the test is over.
-/// @throws StateError when the stress asked for is not reached within the strain, or not held.
+/// One burst of steps; appends a row when the strain has grown by the specified interval. @return whether the test is
+/// over.
+/// @throws StateError when the specified stress is not reached within the strain, or not held.
 bool path_burst(
     dem::World& world, dem::StepCaches& caches, const TriaxialSpec& spec, const dem::BalanceSpec& balance,
     double damping, dem::Mode mode, PathState& state

@@ -34,7 +34,7 @@ const dem::World& settled_sample(bool loose) {
     return loose ? open : dense;
 }
 
-/// A test, and the most and the last that the sample bore of what is asked for [-].
+/// A test, and the most and the last that the sample bore of what is specified [-].
 struct Stop {
     PathState state;
     double most = 0, last = 0;
@@ -100,7 +100,7 @@ TEST(StopAtAStress, ASampleThatBearsMoreStopsAtOnceAndReturnsToTheSpecifiedStres
     spec.deviator_stress = 3e4;
     const Stop stop = compress(world, spec);
     EXPECT_EQ(stop.state.phase, PathState::Phase::Done);
-    EXPECT_GT(stop.most, 1.5); // which the row of the stop tells
+    EXPECT_GT(stop.most, 1.5); // which the row of the stop shows
     EXPECT_GT(stop.state.rows.back().deviator_stress, 4.5e4);
     EXPECT_NEAR(stop.last, 1, 0.05);
 }

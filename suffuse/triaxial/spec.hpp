@@ -30,7 +30,7 @@ struct TriaxialSpec {
     std::optional<double> stress_ratio;    ///< q/p to stop at, instead [-]
     double inertial_number = 1e-3;         ///< sets the axial strain rate [-]
     double time_step = 0;                  ///< [s]; 0 = computed
-    int rows = 400;                        ///< stress-strain rows recorded over the asked strain
+    int rows = 400;                        ///< stress-strain rows recorded over the specified strain
 
     /// There it settles; else it ends at a strain.
     [[nodiscard]] bool stops_at_stress() const { return deviator_stress || stress_ratio; }

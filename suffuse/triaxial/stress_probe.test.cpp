@@ -54,7 +54,7 @@ TEST(StressProbe, AFaceCenteredPackingAnswersWithItsElasticConstants) {
             const int side = (spec.axis + 1) % 3;
             const double axial = probe.strain[spec.axis], lateral = probe.strain[side];
             const double size = norm(probe.stress);
-            // The stress that the strain asks for; the contacts' overlap is 1e-5 of the diameter, second order.
+            // The stress of that strain; the contacts' overlap is 1e-5 of the diameter, second order.
             EXPECT_NEAR(probe.stress[spec.axis], c.c11 * axial + 2 * c.c12 * lateral, 2e-4 * size) << probe.angle;
             EXPECT_NEAR(probe.stress[side], c.c12 * axial + (c.c11 + c.c12) * lateral, 2e-4 * size) << probe.angle;
             EXPECT_NEAR(probe.second_order_work, dot(probe.stress, probe.strain), 1e-12 * probe.second_order_work);

@@ -146,7 +146,7 @@ ssize_t writev(int descriptor, const struct iovec* parts, int count) { // the fi
     return count > 0 ? write(descriptor, parts[0].iov_base, parts[0].iov_len) : 0;
 }
 
-/// No copy within the kernel: who asks for one takes this for a file system that has none, and reads and writes.
+/// No copy within the kernel: a caller that requests one takes this for a file system that has none, and reads and writes.
 ssize_t sendfile(int to, int from, off_t* at, size_t size) {
     (void)to, (void)from, (void)at, (void)size;
     errno = EINVAL;

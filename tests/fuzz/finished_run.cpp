@@ -69,7 +69,7 @@ FinishedRun::FinishedRun() {
     options.case_text = bytes_of(case_file);
     job::run_case(casefile::load_case(case_file).value, options);
     job::save_request(folder_, {.case_file = case_file, .preset = "", .overrides = {}, .studies = {}, .cache = {}});
-    job::rebuild_report(folder_, {}, "suffuse report run"); // signs what was asked, too
+    job::rebuild_report(folder_, {}, "suffuse report run"); // signs the options, too
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder_)) {
         if (entry.is_regular_file()) {
             const fs::path file = entry.path().lexically_relative(folder_);

@@ -1,6 +1,6 @@
 #pragma once
-// A small finished run of which files are replaced, with checksums to match: a stranger's run folder, as a reader of
-// runs sees it.
+// A small finished run of which files are replaced, with checksums to match: a run folder from someone else, as a
+// reader of runs sees it.
 
 #include <cstddef>
 #include <filesystem>

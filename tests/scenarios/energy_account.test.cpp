@@ -32,7 +32,7 @@ contact::Contacts aligned(const World& before, const World& after) {
 }
 
 /// What slip and rolling beyond their limits dissipated in the step from `before` to `after`: the force that remains
-/// times the part of the motion that the springs did not take up, which a law without limits tells.
+/// times the part of the motion that the springs did not take up, which a law without limits gives.
 void add_plastic_work(
     const World& before, const World& after, const Mat3& image_velocity, double dt, Account& account
 ) {

@@ -115,7 +115,7 @@ TEST_F(FinesStudy, AStageMeasuresWhatIsRequested) {
     EXPECT_EQ(measured.at("coordination-of-eroded").at("coordination_histogram"), stage.at("coordination_histogram"));
     const double strain = measured.at("volumetric-strain").at("volumetric_strain"),
                  reported = stage.at("volumetric_strain");
-    EXPECT_NEAR(strain, reported, 0.5 * reported * reported + 1e-9); // logarithmic beside whatever the removal tells
+    EXPECT_NEAR(strain, reported, 0.5 * reported * reported + 1e-9); // logarithmic, unlike that of the removal
     const json water = measured.at("permeability"), tensor = water.at("tensor");
     double trace = 0;
     for (int a = 0; a < 3; ++a) {

@@ -1,4 +1,4 @@
-// The quick protocols of preparation on 500 grains: what was asked is met, what was lent is given back, and neither
+// The quick protocols of preparation on 500 grains: what was specified is met, what was lent is given back, and neither
 // threads nor a stop half-way change a bit.
 
 #include "suffuse/base/error.hpp"

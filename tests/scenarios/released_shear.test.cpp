@@ -46,7 +46,7 @@ TEST_P(ReleasedShear, LeavesNoDeviatorStressWhereAKeptOneIsSeveralPercent) {
     EXPECT_EQ(kept.servo.shear_modulus, Vec3{});
     EXPECT_EQ(kept.servo.shear_stress, Vec3{});
     const Mat3& h = released.cell.h;
-    EXPECT_NE(h(0, 1), 0); // the cell has sheared, a little, and hardly turned
+    EXPECT_NE(h(0, 1), 0); // the cell has sheared, a little, and barely turned
     for (const auto& [a, b] : {std::pair{0, 1}, {1, 2}, {2, 0}}) {
         EXPECT_LT(std::abs(h(a, b)), 0.1 * h(b, b));
         EXPECT_NEAR(h(a, b), h(b, a), 1e-2 * h(b, b));
@@ -94,7 +94,7 @@ TEST(ReleasedShearSample, GoesThroughTestsAndErosionAndIsTheSameAfterAStop) {
     const TempFolder straight, broken;
     const job::RunReport report = run_text(text, straight.path());
     ASSERT_TRUE(report.failures.empty()) << report.failures.front().message;
-    for (const std::string stage : {"initial", "harder"}) { // the case asks for a stress error of 0.1 %
+    for (const std::string stage : {"initial", "harder"}) { // the case specifies a stress error of 0.1 %
         const nlohmann::json numbers = stage_of(straight.path(), stage);
         EXPECT_LT(numbers.at("deviator_stress"), 2e-3 * numbers.at("mean_stress").get<double>()) << stage;
     }

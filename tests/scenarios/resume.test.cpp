@@ -293,7 +293,7 @@ TEST(Resume, FromAStateThatIsNotTheRecordedOneIsRefusedWithItsFile) {
     EXPECT_NE(message.find(state.string()), std::string::npos) << message;
     EXPECT_NE(message.find("remove " + state.parent_path().string()), std::string::npos) << message;
 
-    // With checksums that fit it is still not the state that its stage tells.
+    // With checksums that fit it is still not the state that its stage shows.
     record::seal_stage(state.parent_path(), record::read_json(state.parent_path() / "stage.json"));
     std::filesystem::remove(folder / "run/SHA256SUMS");
     const job::RunReport report = run_text(sample_of(300), folder.path());

@@ -1,4 +1,4 @@
-// A small sample of size ratio 10 by the protocol `wide`: what was asked is met in far fewer steps than `faithful`
+// A small sample of size ratio 10 by the protocol `wide`: what was specified is met in far fewer steps than `faithful`
 // takes, what was lent is given back, and neither threads nor a stop half-way change a bit.
 
 #include "suffuse/base/parallel.hpp"

@@ -1,5 +1,6 @@
 #pragma once
-// Clouds for the tests of compaction: grains that do not touch yet, of a sand of 0.15 to 0.30 mm or of a width asked.
+// Clouds for the tests of compaction: grains that do not touch yet, of a sand of 0.15 to 0.30 mm or of a specified
+// width.
 
 #include "suffuse/dem/world.hpp"
 #include "suffuse/grains/sampling.hpp"
