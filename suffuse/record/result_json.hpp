@@ -12,9 +12,12 @@
 
 #include <nlohmann/json.hpp>
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type cannot have any
 #define SUFFUSE_AS_JSON(TYPE)                                                                                          \
     void to_json(nlohmann::json& json, const TYPE& of);                                                                \
     void from_json(const nlohmann::json& json, TYPE& of);
+
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace suffuse {
 
