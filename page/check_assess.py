@@ -62,7 +62,7 @@ def check_view(program, browser, folder):
             wrong.append(f"α {alpha}: its slider is {'not ' if alpha is None else ''}shown as not set")
         if bool(re.search(r'<button id="unknown"[^>]* hidden', dom)) != (alpha is None):
             wrong.append(f"α {alpha}: the button that forgets it is {'shown' if alpha is None else 'hidden'}")
-        if "asked 0.30" not in dom or "heave 0.99" not in dom:
+        if "specified 0.30" not in dom or "heave 0.99" not in dom:
             wrong.append("the gradients are not drawn on their line")
     return wrong + check_print(program, opened, folder)
 
