@@ -2,12 +2,14 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/facts/shown.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/wording.hpp"
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string_view>
 
 namespace suffuse::apps {
@@ -19,31 +21,22 @@ constexpr std::chrono::milliseconds redraw_interval{100};
 constexpr std::chrono::seconds report_interval{30};
 constexpr std::size_t label_width = 9, longest_bar = 28, shortest_bar = 8;
 constexpr std::size_t most_samples_shown = 4;
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 struct ShownNumber {
-    std::string_view key, label;
-    double factor;
-    std::string_view unit;
-    int digits;
+    const char* key;
+    const char* label;
+    int digits = 3;
+    double least = 0; ///< in the unit shown, in size
 };
 
 constexpr std::array shown_numbers{
-    ShownNumber{"pass", "pass", 1, "", 3},
-    ShownNumber{"void_ratio", "e", 1, "", 3},
-    ShownNumber{"mean_stress", "p", 1e-3, " kPa", 3},
-    ShownNumber{"deviator_stress", "q", 1e-3, " kPa", 3},
-    ShownNumber{"axial_strain", "strain", 100, " %", 3},
-    ShownNumber{"unbalanced_force", "unbalance", 1, "", 2},
+    ShownNumber{"void_ratio", "e"},
+    ShownNumber{"mean_stress", "p"},
+    ShownNumber{"deviator_stress", "q", 3, 0.01},
+    ShownNumber{"axial_strain", "strain", 3, 0.01},
+    ShownNumber{"unbalanced_force", "unbalance", 2},
 };
-
-bool is_worth_showing(const nlohmann::json& state, const ShownNumber& number) {
-    if (!state.contains(number.key) || !state.at(std::string(number.key)).is_number()) {
-        return false;
-    }
-    const double value = state.at(std::string(number.key));
-    const bool may_be_zero = number.key != "axial_strain" && number.key != "deviator_stress";
-    return std::isfinite(value) && (may_be_zero || std::abs(value) * number.factor >= 0.01);
-}
 
 std::string bar(double share, std::size_t cells, bool utf8) {
     const auto full = std::min(cells, static_cast<std::size_t>(std::lround(share * static_cast<double>(cells))));
@@ -153,14 +146,20 @@ std::string state_text(const nlohmann::json& state) {
     if (const std::string moves = mobility_text(state); !moves.empty()) {
         text += (text.empty() ? "" : "  ") + moves;
     }
+    const auto add = [&](const char* label, const std::string& value) {
+        text += fmt::format("{}{} {}", text.empty() ? "" : "  ", label, value);
+    };
+    if (const auto pass = state.find("pass"); pass != state.end() && pass->is_number()) {
+        add("pass", digits_text(*pass, 3));
+    }
     for (const ShownNumber& number : shown_numbers) {
-        if (!is_worth_showing(state, number)) {
-            continue;
+        const auto found = state.find(number.key);
+        const double value = found != state.end() && found->is_number() ? found->get<double>() : missing;
+        const double shown = facts::in_unit_shown(number.key, value);
+        if (std::isfinite(shown) && std::abs(shown) >= number.least) {
+            const std::string_view unit = facts::unit_shown(number.key);
+            add(number.label, digits_text(shown, number.digits) + (unit == "-" ? "" : fmt::format(" {}", unit)));
         }
-        const double value = number.factor * state.at(std::string(number.key)).get<double>();
-        text += fmt::format(
-            "{}{} {}{}", text.empty() ? "" : "  ", number.label, digits_text(value, number.digits), number.unit
-        );
     }
     return text;
 }

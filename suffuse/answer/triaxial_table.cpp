@@ -1,6 +1,5 @@
 #include "suffuse/answer/triaxial_table.hpp"
 
-#include "suffuse/base/constants.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/shown.hpp"
 #include "suffuse/study/trace_curves.hpp"
@@ -8,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <string_view>
 
 namespace suffuse::answer {
 namespace {
@@ -22,10 +24,11 @@ const char* const empty = "–";
 const char* const liquefied = "liquefied"; // name of a column
 
 /// What a path shows.
-struct Shown {
+struct Shows {
+    bool always = true;
     bool settles, strength, stiffness, dilatancy, volume, pore_pressure;
 
-    explicit Shown(const TriaxialSpec& test)
+    explicit Shows(const TriaxialSpec& test)
         : settles(test.deviator_stress || test.stress_ratio), strength(!settles && test.path != Path::Proportional),
           stiffness(strength && test.path != Path::ConstantDeviator),
           dilatancy(
@@ -35,10 +38,38 @@ struct Shown {
           pore_pressure(test.path == Path::Undrained || test.path == Path::ConstantDeviator) {}
 };
 
+/// A number of the response, with the unit and the digits of its fact.
+struct ResponseColumn {
+    const char* words;
+    const char* number;
+    bool Shows::*shows;
+    const char* fact = number;
+
+    [[nodiscard]] std::string head() const { return fmt::format("{} [{}]", words, facts::unit_shown(fact)); }
+};
+
+constexpr std::array response_columns{
+    ResponseColumn{"highest q", "peak_deviator", &Shows::strength},
+    ResponseColumn{"at ε₁", "peak_strain", &Shows::strength},
+    ResponseColumn{"friction angle φ there", "friction_angle", &Shows::strength},
+    ResponseColumn{"q at the end", "final_deviator", &Shows::always},
+    ResponseColumn{"E50", "stiffness", &Shows::stiffness},
+    ResponseColumn{"dilatancy", "dilatancy", &Shows::dilatancy},
+    ResponseColumn{"εᵥ at the end", "final_volumetric_strain", &Shows::volume},
+    ResponseColumn{"unstable from q", "instability.q", &Shows::pore_pressure, "deviator_stress"},
+    ResponseColumn{"excess pore pressure Δu", "excess_pore_pressure", &Shows::always}};
+
 /// Mean, and the standard deviation where there are several samples.
-std::string cell(const SweepPoint& point, const std::string& number, double factor, int digits = 3) {
-    const auto found = point.number.find(number);
-    return found == point.number.end() ? empty : study::with_scatter(found->second, factor, digits);
+std::string cell(const SweepPoint& point, const ResponseColumn& column, bool settles) {
+    // A test that came to rest at a stress went beyond it before: what counts is the state that it left.
+    const bool is_end_of_settled = settles && std::string_view(column.number) == "final_deviator";
+    const auto found =
+        point.number.find(is_end_of_settled ? "deviator_stress" : std::string("response.") + column.number);
+    return found == point.number.end()
+               ? empty
+               : study::with_scatter(
+                     found->second, facts::in_unit_shown(column.fact, 1), facts::digits_shown(column.fact)
+                 );
 }
 
 /// "no", "yes", "2 of 3"; empty where the test cannot.
@@ -57,18 +88,13 @@ std::string count_liquefied(const std::vector<json>& responses) {
 
 std::vector<std::string>
 row_of(const std::string& name, const TriaxialSpec& test, const SweepPoint& point, const std::vector<json>& responses) {
-    const Shown shows(test);
-    const auto where = [&](bool shown, const char* number, double factor, int digits = 3) {
-        return shown ? cell(point, std::string("response.") + number, factor, digits) : empty;
-    };
-    return {
-        name, std::to_string(responses.size()), where(shows.strength, "peak_deviator", 1e-3, 4),
-        where(shows.strength, "peak_strain", 100), where(shows.strength, "friction_angle", degrees(1)),
-        // A test that came to rest at a stress went beyond it before: what counts is the state that it left.
-        shows.settles ? cell(point, "deviator_stress", 1e-3, 4) : where(true, "final_deviator", 1e-3, 4),
-        where(shows.stiffness, "stiffness", 1e-6), where(shows.dilatancy, "dilatancy", 1),
-        where(shows.volume, "final_volumetric_strain", 100), where(shows.pore_pressure, "instability.q", 1e-3, 4),
-        where(true, "excess_pore_pressure", 1e-3), count_liquefied(responses)};
+    const Shows shows(test);
+    std::vector<std::string> row{name, std::to_string(responses.size())};
+    for (const ResponseColumn& column : response_columns) {
+        row.push_back(shows.*column.shows ? cell(point, column, shows.settles) : empty);
+    }
+    row.push_back(count_liquefied(responses));
+    return row;
 }
 
 void leave_out_empty_columns(figures::PageTable& table) {
@@ -107,19 +133,9 @@ std::optional<figures::PageTable> tabulate_tests(const study::RunResults& result
     table.note =
         "E50 is the secant stiffness at half the highest deviator stress, dilatancy the largest −dεᵥ/dε₁ over one "
         "percent. Contraction positive.";
-    table.header = {
-        "test",
-        "samples",
-        "highest q [kPa]",
-        "at ε₁ [%]",
-        "friction angle φ there [°]",
-        "q at the end [kPa]",
-        "E50 [MPa]",
-        "dilatancy [-]",
-        "εᵥ at the end [%]",
-        "unstable from q [kPa]",
-        facts::title("excess_pore_pressure"),
-        liquefied};
+    table.header = {"test", "samples"};
+    std::ranges::transform(response_columns, std::back_inserter(table.header), &ResponseColumn::head);
+    table.header.emplace_back(liquefied);
     table.numeric.assign(table.header.size(), true);
     table.numeric[0] = false;
     const std::vector<study::StudyCurves>& traced = results.curves;

@@ -341,6 +341,20 @@ std::vector<Group> make_groups() {
     };
 }
 
+/// Of each key the first fact that fulfills a condition.
+template <class Condition>
+std::map<std::string_view, Fact> first_with(Condition condition) {
+    std::map<std::string_view, Fact> known;
+    for (const Group& group : every_group()) {
+        for (const Fact& fact : group.facts) {
+            if (condition(fact)) {
+                known.emplace(fact.key, fact);
+            }
+        }
+    }
+    return known;
+}
+
 } // namespace
 
 const std::vector<Group>& every_group() {
@@ -364,33 +378,13 @@ const std::map<std::string, std::string>& units() {
 }
 
 Kind kind_of(const std::string& key) {
-    static const std::map<std::string, Kind> known = [] {
-        std::map<std::string, Kind> made;
-        for (const Group& group : every_group()) {
-            for (const Fact& fact : group.facts) {
-                if (fact.kind != Kind::Result) {
-                    made.emplace(fact.key, fact.kind);
-                }
-            }
-        }
-        return made;
-    }();
+    static const auto known = first_with([](const Fact& fact) { return fact.kind != Kind::Result; });
     const auto found = known.find(key);
-    return found == known.end() ? Kind::Result : found->second;
+    return found == known.end() ? Kind::Result : found->second.kind;
 }
 
 const Fact* shown_fact(std::string_view key) {
-    static const std::map<std::string_view, Fact> known = [] {
-        std::map<std::string_view, Fact> made;
-        for (const Group& group : every_group()) {
-            for (const Fact& fact : group.facts) {
-                if (!fact.shown.name.empty()) {
-                    made.emplace(fact.key, fact);
-                }
-            }
-        }
-        return made;
-    }();
+    static const auto known = first_with([](const Fact& fact) { return !fact.shown.name.empty(); });
     const auto found = known.find(key);
     return found == known.end() ? nullptr : &found->second;
 }

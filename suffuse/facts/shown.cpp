@@ -1,5 +1,6 @@
 #include "suffuse/facts/shown.hpp"
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/every_fact.hpp"
@@ -19,7 +20,7 @@ struct Conversion {
 
 constexpr std::array conversions{
     Conversion{"Pa", "kPa", 1, 1e3}, Conversion{"Pa", "MPa", 1, 1e6}, Conversion{"-", "%", 100, 1},
-    Conversion{"m", "mm", 1e3, 1},   Conversion{"m2", "m²", 1, 1},
+    Conversion{"m", "mm", 1e3, 1},   Conversion{"m2", "m²", 1, 1},    Conversion{"rad", "°", degrees(1), 1},
 };
 
 const Fact& fact_of(std::string_view key) {
@@ -46,6 +47,10 @@ std::string_view unit_shown(std::string_view key) {
     return fact_of(key).shown.unit;
 }
 
+int digits_shown(std::string_view key) {
+    return fact_of(key).shown.digits;
+}
+
 double in_unit_shown(std::string_view key, double value) {
     const Fact& fact = fact_of(key);
     if (fact.unit == fact.shown.unit) {
@@ -61,7 +66,7 @@ double in_unit_shown(std::string_view key, double value) {
 }
 
 std::string text_shown(std::string_view key, double value) {
-    return short_number(in_unit_shown(key, value), fact_of(key).shown.digits);
+    return short_number(in_unit_shown(key, value), digits_shown(key));
 }
 
 } // namespace suffuse::facts

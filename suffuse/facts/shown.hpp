@@ -15,6 +15,9 @@ std::string short_title(std::string_view key);
 /// "kPa".
 std::string_view unit_shown(std::string_view key);
 
+/// Significant digits.
+int digits_shown(std::string_view key);
+
 /// A value, given in the unit of files, in the unit shown: 99.8 of 99800 Pa.
 double in_unit_shown(std::string_view key, double value);
 
