@@ -121,6 +121,9 @@ fines_auto = "none"
 [soil.part]
 psd = { d = ["50 um", "0.2 mm", "1 mm"], passing = ["10 %", "60 %", "90 %"] }
 sizes = ["0.2 mm", "1 mm"]
+[soil.stand-in]
+psd = { d = ["50 um", "0.2 mm", "1 mm"], passing = ["10 %", "60 %", "90 %"] }
+surrogate = { finer_than = "0.2 mm", size_ratio = 3 }
 [soil.split]
 psd = "data/sand.csv"
 fines = "kenney-lau"

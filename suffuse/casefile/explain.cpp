@@ -83,6 +83,10 @@ constexpr std::array code_table = {
         "E507", "nothing between the sizes",
         "`sizes` selects the part of a grading that is modeled; there must be some mass between them."},
     Code{
+        "E508", "no surrogate of this curve",
+        "Two fractions stand for a soil by the median sizes of its coarse part and of its fines. Both sizes must be on "
+        "the measured curve, and apart."},
+    Code{
         "W508", "how a grading was read",
         "The reader interpreted or skipped something in the sheet: a pan, a total, a sieve that was not used, plain "
         "numbers that are sieve numbers. If the sentence is true, nothing is wrong."},

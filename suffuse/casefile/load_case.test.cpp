@@ -52,6 +52,9 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_FALSE(c.soils.at("whole").measured);
     EXPECT_EQ(c.soils.at("part").whole->passing, (std::vector<double>{0, 1}));
     EXPECT_EQ(c.soils.at("part").measured->passing, (std::vector<double>{0.1, 0.6, 0.9}));
+    EXPECT_EQ(c.soils.at("stand-in").fines_content, 0.6);
+    EXPECT_EQ(c.soils.at("stand-in").surrogate->size_ratio, 3);
+    EXPECT_EQ(c.soils.at("stand-in").measured->passing, (std::vector<double>{0.1, 0.6, 0.9}));
     EXPECT_EQ(c.studies.size(), 3U);
     const auto& compact = spec_of<packing::CompactSpec>(c, "main", "initial");
     EXPECT_EQ(compact.prepare.friction, radians(5));

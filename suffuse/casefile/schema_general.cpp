@@ -4,6 +4,7 @@
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
 #include "suffuse/contact/springs.hpp"
+#include "suffuse/grains/surrogate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -195,6 +196,20 @@ std::vector<Key> soil_and_study_rows() {
             "The finest and the coarsest size that are modeled, of a curve that extends beyond them; its ends may be "
             "open."
         )),
+        table(
+            "soil.*", "surrogate",
+            "The soil of `psd` is too wide to simulate: two fractions of nearly equal grains stand for it, with its "
+            "size "
+            "ratio and its fines content."
+        ),
+        required(quantity(
+            "soil.*.surrogate", "finer_than", dimension::length, above_zero,
+            "Where the curve is split: what is smaller are the fines."
+        )),
+        ratio(
+            "soil.*.surrogate", "size_ratio", {grains::least_size_ratio, 1e9, false, false},
+            "Of the two fractions; D50 of the curve's coarse part / d50 of its fines unless given."
+        ),
         table("soil.*", "coarse", "Coarse part of a soil of two fractions."),
         required(other("soil.*.coarse", "psd", psd, "Grading curve of the coarse part alone.")),
         other(

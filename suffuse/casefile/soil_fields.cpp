@@ -4,6 +4,7 @@
 #include "suffuse/casefile/special_fields.hpp"
 #include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/surrogate.hpp"
 
 #include <fmt/format.h>
 
@@ -143,6 +144,46 @@ void read_part(Reader& v, grains::Soil& soil) {
     soil.whole = grains::part_between(*soil.measured, finest, coarsest);
 }
 
+/// Two fractions that stand for the curve, which fixes all of them.
+void read_surrogate(Reader& v, grains::Soil& soil) {
+    if (!v.has("surrogate")) {
+        return;
+    }
+    Place place;
+    std::optional<double> finer_than, modeled;
+    v.table("surrogate", [&](Reader& inner) {
+        place = inner.place();
+        inner.field("finer_than", finer_than);
+        inner.field("size_ratio", modeled);
+    });
+    for (const char* const key : {"sizes", "coarse", "fines", "fines_content"}) {
+        if (v.has(key)) {
+            v.error(
+                "E207", place, fmt::format("{} has a `surrogate` and also `{}`", v.title(), key),
+                fmt::format("leave `{}` out: a surrogate has two fractions, which follow from `psd`", key)
+            );
+        }
+    }
+    if (!finer_than || !soil.whole) {
+        return; // reported where they are read
+    }
+    const std::optional<double> of_curve = grains::size_ratio(*soil.whole, *finer_than);
+    if (!of_curve || modeled.value_or(*of_curve) < grains::least_size_ratio) {
+        v.error(
+            "E508", place,
+            of_curve
+                ? fmt::format("both parts of this curve have nearly the same size: their ratio is {:.3g}", *of_curve)
+                : fmt::format(
+                      "split at {}, the curve does not show the median size of both parts",
+                      print_quantity(*finer_than, dimension::length)
+                  ),
+            "choose another `finer_than`; suffuse new --psd FILE --surrogate finds one"
+        );
+        return;
+    }
+    soil = grains::surrogate_of(*soil.whole, *finer_than, modeled);
+}
+
 void read_fines(Reader& v, grains::Soil& soil) {
     const Node* node = v.take("fines");
     if (node == nullptr) {
@@ -228,8 +269,10 @@ Node write_curve(const Grading& grading) {
 grains::Soil read_soil(ReadContext& context, const Node& table, const Place& place, const std::string& path) {
     Reader v(context, table, place, {"soil.*"}, path);
     grains::Soil soil;
-    soil.whole = read_curve(v, v.has("sizes") ? gradings::CurveEnds::MayBeOpen : gradings::CurveEnds::Closed);
+    const bool may_be_open = v.has("sizes") || v.has("surrogate");
+    soil.whole = read_curve(v, may_be_open ? gradings::CurveEnds::MayBeOpen : gradings::CurveEnds::Closed);
     read_part(v, soil);
+    read_surrogate(v, soil);
     v.table("coarse", [&](Reader& inner) { soil.coarse = read_curve(inner); });
     read_fines(v, soil);
     const Node::Entry* fines = table.find("fines");
@@ -249,8 +292,16 @@ grains::Soil read_soil(ReadContext& context, const Node& table, const Place& pla
 Node write_soil(const grains::Soil& soil) {
     Writer v({"soil.*"});
     Node fines;
-    if (soil.whole) {
-        v.set("psd", write_curve(soil.measured.value_or(*soil.whole)).find("psd")->value);
+    if (soil.measured || soil.whole) {
+        v.set("psd", write_curve(soil.measured ? *soil.measured : *soil.whole).find("psd")->value);
+    }
+    if (soil.surrogate) {
+        v.table("surrogate", [&](Writer& inner) {
+            inner.field("finer_than", soil.surrogate->finer_than);
+            inner.field("size_ratio", soil.surrogate->size_ratio);
+        });
+        v.field("grading_tolerance", soil.grading_tolerance);
+        return v.node();
     }
     if (soil.measured) {
         v.field("sizes", std::vector{soil.whole->diameter.front(), soil.whole->diameter.back()});

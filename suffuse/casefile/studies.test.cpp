@@ -1,5 +1,6 @@
 // Stages that start from stages, sweeps and replicates, presets and --set.
 #include "suffuse/base/constants.hpp"
+#include "suffuse/casefile/bind.hpp"
 #include "suffuse/casefile/case_for_tests.hpp"
 #include "suffuse/casefile/dependencies.hpp"
 #include "suffuse/casefile/prepared_as.hpp"
@@ -353,6 +354,22 @@ TEST(Studies, ASkeletonMadeFirstExcludesWhatPushesAllGrainsTogether) {
           "intergranular_void_ratio = 0.9\nprepared_as = { fines_content = \"10 %\" }\n"}) {
         EXPECT_EQ(find_problem(problems_of(with(more)), "E207").code, "E207") << more;
     }
+}
+
+TEST(Studies, TheSizeRatioOfASurrogateCanBeSwept) {
+    const std::string text = std::string(good_case).replace(
+        good_case.find("fines ="), std::string("fines = { finer_than = \"0.15 mm\" }").size(),
+        "surrogate = { finer_than = \"0.2 mm\" }"
+    );
+    const std::string swept = std::string(text).replace(
+        text.find("particles = 20000"), 17, "particles = 20000\nsweep = { size_ratio = [2, 3] }"
+    );
+    const Case c = load(swept);
+    ASSERT_EQ(c.studies[0].variants.size(), 2U);
+    EXPECT_EQ(c.studies[0].variants[0].soil->surrogate->size_ratio, 2);
+    EXPECT_EQ(c.studies[0].variants[1].soil->surrogate->size_ratio, 3);
+    EXPECT_EQ(c.studies[0].variants[1].folder, "one/size_ratio=3");
+    EXPECT_EQ(load(resolved_toml(c)).studies[0].variants[1].soil->surrogate->size_ratio, 3) << "and is written";
 }
 
 } // namespace

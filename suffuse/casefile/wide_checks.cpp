@@ -16,8 +16,6 @@ namespace {
 using packing::Protocol;
 
 constexpr double large_squeezed = 0.1; ///< of the finest radius: what a run warns of when it is seen [-]
-constexpr double strongest = 1.5;      ///< largest overlap seen in samples of `wide` over the estimate [-]
-constexpr double wide_grading = 4;     ///< coarsest over finest grain, below which that rule was not looked at
 constexpr double too_wide = 12;        ///< the same, above which samples of `faithful` and `slow` are off
 constexpr double too_wide_to_push = 9; ///< the same, above which those of `swift` may fail
 
@@ -76,7 +74,7 @@ void check_squeezed(
     const double ratio = size_ratio_of(variant);
     const double overlap = squeezed_overlap_at(pressure, variant.material, ratio);
     const bool promises = protocol == Protocol::Wide;
-    const double good = promises ? good_squeezed / strongest : good_squeezed;
+    const double good = promises ? good_squeezed / strongest_of_wide : good_squeezed;
     if (overlap <= (promises ? good : large_squeezed) || ratio < wide_grading) {
         return;
     }

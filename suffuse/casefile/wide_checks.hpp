@@ -12,6 +12,12 @@ namespace suffuse::casefile {
 /// What a modulus should keep squeezed_overlap_at() to [-].
 inline constexpr double good_squeezed = 0.05;
 
+/// Largest overlap seen in samples of `wide` over the estimate [-].
+inline constexpr double strongest_of_wide = 1.5;
+
+/// Coarsest over finest grain, below which neither was looked at [-].
+inline constexpr double wide_grading = 4;
+
 /// Largest overlap / smaller radius: of the finest grains caught between the coarsest, whose forces they then carry.
 /// From runs of size ratios from 4 to 30, within a factor of two. @param size_ratio of the coarsest to the finest grain
 double squeezed_overlap_at(double pressure, const grains::Material& material, double size_ratio);

@@ -14,13 +14,21 @@ struct Grading {
     std::string origin;           ///< file it was read from, for messages
 };
 
+/// What two fractions of nearly equal grains stand for: grains/surrogate.hpp.
+struct Surrogate {
+    double finer_than = 0;    ///< where the soil's curve is split [m]
+    double ratio_of_soil = 0; ///< D50 of its coarse part / d50 of its fines [-]
+    double size_ratio = 0;    ///< of the two fractions [-]
+};
+
 /// Either one grading with a size below which grains are fine, or two gradings mixed at a fines content.
 struct Soil {
     std::optional<Grading> whole;
-    std::optional<Grading> measured;  ///< the curve, with open ends or not, that `whole` is a part of
+    std::optional<Grading> measured;  ///< the curve, with open ends or not, of which `whole` or a surrogate is modeled
     std::optional<double> finer_than; ///< fines are smaller than this diameter [m]
     bool kenney_lau = false;          ///< fines by Kenney and Lau's split where it exists
     bool report_kenney_lau = false;   ///< report that split too, without using it
+    std::optional<Surrogate> surrogate; ///< `coarse` and `fines` stand for the soil of `measured`
     std::optional<Grading> coarse, fines;
     double fines_content = 0;        ///< by mass, of the mixture of `coarse` and `fines` [-]
     double grading_tolerance = 0.02; ///< largest difference of percent passing between sample and grading [-]
