@@ -2,10 +2,10 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/casefile/wide_checks.hpp"
 
 #include <fmt/format.h>
 
+#include "apps/own_case_parts.hpp"
 #include "apps/own_soil.hpp"
 #include <algorithm>
 #include <cmath>
@@ -30,22 +30,7 @@ particles       = {quick:<20}{quick_mark}
 inertial_number = "loose"             #~ 1e-3 while shearing
 triaxial_strain = "5 %"               #~
 
-[grain]
-density = "2650 kg/m^3"               #~ quartz
-
-[contact]                             # linear springs, Coulomb slip, rolling resistance
-law               = "linear-rolling"
-modulus           = {modulus:<18}#~ kn = 2 E r1 r2/(r1 + r2){stiffer}
-shear_ratio       = 0.42              #~ ks/kn
-friction          = "37 deg"          #~ between grains, in tests; preparation uses another
-rolling_stiffness = 7.5               #~ kr = this x ks r1 r2
-rolling_friction  = 0.22              #~ limits the rolling moment to this x min(r1, r2) x Fn
-damping           = 0.2               #~ local, non-viscous
-
-[fluid]
-density   = "1000 kg/m^3"
-viscosity = "1 mPa*s"
-{gravity}
+{material}{gravity}
 [soil.{name}]
 psd   = "data/{name}.csv"             # d [mm], passing [%]
 {sizes}fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
@@ -89,11 +74,6 @@ strain  = "10 %"                      #~
 measure = ["stress-strain"]
 )";
 
-constexpr std::string_view gravity_form = R"(
-[gravity]                             # fines have weight, less buoyancy; without this table they have none
-down = "-z"
-)";
-
 constexpr std::string_view mobility_form =
     R"([[study.erosion.stage]]               # which gradient moves the fines against their weight; nothing is removed
 name           = "mobility"
@@ -103,18 +83,6 @@ asked_gradient = {gradient:<21}{gradient_mark} what the soil has to bear: the fa
 direction      = {direction}
 
 )";
-
-constexpr double usual_modulus = 356e6; // [Pa]
-
-/// "\"z\"                       # upward", as wide as the values around it.
-std::string direction_text(const std::optional<FlowWay>& flow) {
-    if (!flow) {
-        return "\"z\"";
-    }
-    return *flow == FlowWay::Up     ? "\"z\"                       # upward, against the weight of the fines"
-           : *flow == FlowWay::Down ? "\"-z\"                      # downward, with the weight of the fines"
-                                    : "\"x\"                       # level, across the weight of the fines";
-}
 
 /// The stage that finds which gradient moves the fines; nothing where they have no weight.
 std::string mobility_stage(const OwnConditions& conditions, std::string_view gradient_mark) {
@@ -136,17 +104,6 @@ std::string_view weight_note(const std::optional<FlowWay>& flow) {
                   "--flow up gives them weight.)";
 }
 
-/// Stiff enough for the finest grains at this pressure [Pa], to two digits [Pa].
-double modulus_for(const grains::Grading& grading, double pressure) {
-    const double ratio = grading.diameter.back() / grading.diameter.front();
-    grains::Material usual;
-    usual.modulus = usual_modulus;
-    const double squeezed = casefile::squeezed_overlap_at(pressure, usual, ratio);
-    const double wanted = std::max(usual_modulus, usual_modulus * squeezed / casefile::good_squeezed);
-    const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 1);
-    return wanted > usual_modulus ? std::ceil(wanted / unit) * unit : usual_modulus;
-}
-
 /// The part of the curve that is modeled, where it is not all of it.
 std::string sizes_line(const OwnSoil& soil) {
     if (soil.left_out.empty()) {
@@ -163,36 +120,30 @@ std::string sizes_line(const OwnSoil& soil) {
 std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) {
     constexpr std::int64_t standard_over_quick = 4;
     const double pressure = conditions.pressure.value_or(assumed_pressure);
-    const double modulus = modulus_for(soil.grading, pressure);
     const std::string_view few = "#~ as few as possible: a cell of four largest grains, enough fines and coarse grains";
-    const auto mark = [](const std::optional<double>& given) { return given ? "# as specified:" : "#~ yours:"; };
     return fmt::format(
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
         fmt::arg("quick_mark", soil.is_size_given ? "# as specified" : few),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
         fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),
-        fmt::arg("pressure_mark", mark(conditions.pressure)),
+        fmt::arg("pressure_mark", site_mark(conditions.pressure)),
         fmt::arg("gradient", conditions.gradient.value_or(assumed_gradient)),
-        fmt::arg("gradient_mark", mark(conditions.gradient)),
-        fmt::arg("modulus", '"' + print_quantity(modulus, dimension::pressure) + '"'),
-        fmt::arg(
-            "stiffer",
-            modulus > usual_modulus ? "; so that the finest grains between the coarsest overlap by about 5 %" : ""
-        ),
+        fmt::arg("gradient_mark", site_mark(conditions.gradient)),
+        fmt::arg("material", material_text(soil.grading.diameter.back() / soil.grading.diameter.front(), pressure)),
         fmt::arg("sizes", sizes_line(soil)), fmt::arg("weight_note", weight_note(conditions.flow)),
-        fmt::arg("gravity", conditions.flow ? gravity_form : std::string_view()),
-        fmt::arg("mobility", mobility_stage(conditions, mark(conditions.gradient))),
+        fmt::arg("gravity", conditions.flow ? gravity_text : std::string_view()),
+        fmt::arg("mobility", mobility_stage(conditions, site_mark(conditions.gradient))),
         fmt::arg("direction", direction_text(conditions.flow))
     );
 }
 
-std::string own_grading_text(const OwnSoil& soil, const std::string& path) {
+std::string own_grading_text(const grains::Grading& measured, const std::string& path) {
     std::string text =
         fmt::format("# {}: percent passing by mass.\n", shown(std::filesystem::path(path).filename().string()));
     text += "d [mm],passing [%]\n";
-    for (std::size_t k = 0; k < soil.measured.diameter.size(); ++k) {
-        text += fmt::format("{:.10g},{:.10g}\n", 1e3 * soil.measured.diameter[k], 100 * soil.measured.passing[k]);
+    for (std::size_t k = 0; k < measured.diameter.size(); ++k) {
+        text += fmt::format("{:.10g},{:.10g}\n", 1e3 * measured.diameter[k], 100 * measured.passing[k]);
     }
     return text;
 }

@@ -24,20 +24,6 @@ std::string mm(double size) {
     return fmt::format("{:.4g} mm", 1e3 * size);
 }
 
-/// The file's name without its ending, in letters, digits, - and _, as tables of a case are named.
-std::string name_of(const std::string& path) {
-    constexpr std::size_t most = 64;
-    std::string name = std::filesystem::path(path).stem().string().substr(0, most);
-    const auto is_plain = [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    };
-    for (char& c : name) {
-        c = is_plain(c) ? c : '-';
-    }
-    name.erase(0, std::min(name.find_first_not_of('-'), name.size()));
-    return name.empty() ? "soil" : name;
-}
-
 /// Where the fines end, and why there.
 struct FinesLimit {
     double finer_than = 0; ///< [m]
@@ -142,6 +128,11 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
                                     shell_word(path)
                                 )
                               : "";
+    const std::string stand_in = fmt::format(
+        "\n  = help: or simulate a surrogate, two fractions with this soil's size ratio and fines content: suffuse new "
+        "--psd {} --surrogate",
+        shell_word(path)
+    );
     const auto gap = stability::find_gap(soil.measured); // what lies in it is no skeleton
     const auto part = grains::find_modeled_part(
         grading, {soil.finer_than, gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than},
@@ -150,21 +141,34 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     if (!part) {
         throw CaseError(fmt::format(
             "{}{}\n  = cutting its ends does not help: the fines are too small compared with the coarse grains\n  = to "
-            "apply the stability criteria: suffuse assess {}",
-            found, described, shell_word(path)
+            "apply the stability criteria: suffuse assess {}{}",
+            found, described, shell_word(path), stand_in
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
     throw CaseError(fmt::format(
         "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and "
-        "{:.0f} % of the coarse grains{}",
+        "{:.0f} % of the coarse grains{}{}",
         found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
-        turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned
+        turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned, stand_in
     ));
 }
 
 } // namespace
+
+std::string soil_name(const std::string& path) {
+    constexpr std::size_t most = 64;
+    std::string name = std::filesystem::path(path).stem().string().substr(0, most);
+    const auto is_plain = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    for (char& c : name) {
+        c = is_plain(c) ? c : '-';
+    }
+    name.erase(0, std::min(name.find_first_not_of('-'), name.size()));
+    return name.empty() ? "soil" : name;
+}
 
 OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
@@ -174,7 +178,7 @@ OwnSoil model_own_soil(const Grading& measured, const std::string& path, const O
     const Grading whole = grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
     const FinesLimit limit = find_limit(measured, spec.finer_than);
     OwnSoil soil;
-    soil.name = name_of(path);
+    soil.name = soil_name(path);
     soil.finer_than = spec.finer_than ? *spec.finer_than : rounded(whole, limit.finer_than);
     soil.reason = limit.reason;
     const auto [finest, coarsest] = modeled_sizes(whole, spec.sizes, soil.finer_than);

@@ -37,6 +37,9 @@ struct OwnSoilSpec {
     std::optional<std::int64_t> particles = {}; ///< of the quick preset; as few as will do unless given
 };
 
+/// "till" of "data/till.csv": in letters, digits, - and _, as tables of a case are named.
+std::string soil_name(const std::string& path);
+
 /// @param path for messages, and for the soil's name
 /// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
 OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);
@@ -56,6 +59,6 @@ inline constexpr double assumed_gradient = 0.05;  ///< [-]
 
 /// The case and its grading as files, and where they belong in its folder.
 std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions);
-std::string own_grading_text(const OwnSoil& soil, const std::string& path);
+std::string own_grading_text(const grains::Grading& measured, const std::string& path);
 
 } // namespace suffuse::apps

@@ -1,5 +1,6 @@
 // new: a commented case and its data, from an example or from a grading curve of the user's.
 
+#include "suffuse/answer/surrogate_words.hpp"
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
@@ -18,6 +19,7 @@
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
 #include "apps/own_soil.hpp"
+#include "apps/own_surrogate.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/templates.hpp"
 #include "apps/typed_value.hpp"
@@ -28,6 +30,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace suffuse::apps {
@@ -60,41 +63,46 @@ struct NewVerb final : Verb {
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
     std::optional<double> gradient;
+    bool surrogate = false;
     std::string flow; ///< which way the water goes through fines that have weight
 
     void add_to(Options& options) override {
-        options.argument("DIR", given, "folder to write it to; the name of the template or of the curve unless given");
+        options.argument(
+            "DIR", given,
+            "folder to write it to; the name of the template or of the curve unless given. A file of a grading curve "
+            "instead is short for --psd FILE"
+        );
         const Option example =
             options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
-        const Option curve =
-            options.value("--psd", psd, std::string("of your own soil ") + grading_text).type("FILE").excludes(example);
-        options.value("--sample", sample, "with --psd: only this sample of a table with several")
-            .type("NAME")
-            .needs(curve);
-        options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
-            .type("FROM,TO")
-            .needs(curve);
+        options.value("--psd", psd, std::string("of your own soil ") + grading_text).type("FILE").excludes(example);
+        options.value("--sample", sample, "with --psd: only this sample of a table with several").type("NAME");
+        const Option part =
+            options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
+                .type("FROM,TO");
+        options
+            .flag(
+                "--surrogate", surrogate,
+                "with --psd: two fractions stand for a soil too wide to simulate, with its size ratio and fines content"
+            )
+            .excludes(part)
+            .excludes(example);
         options
             .value(
                 "--fines", fines, "with --psd: the size below which grains are fine; found on the curve unless given"
             )
-            .type("D")
-            .needs(curve);
+            .type("D");
         options.value("--particles", particles, "with --psd: grains of the preset quick; by default as few as possible")
             .type("N")
-            .whole_number(1, 10'000'000)
-            .needs(curve);
+            .whole_number(1, 10'000'000);
         options.value("--pressure", pressure, "with --psd: the effective stress on the soil; 100kPa is assumed")
-            .type("P")
-            .needs(curve);
+            .type("P");
         options
             .value(
                 "-i,--gradient", gradient,
                 "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed"
             )
             .type("I")
-            .ratio(0)
-            .needs(curve);
+            .ratio(0);
         options
             .value(
                 "--flow", flow,
@@ -102,8 +110,7 @@ struct NewVerb final : Verb {
                 "moves them"
             )
             .type("WAY")
-            .one_of({"up", "down", "level"})
-            .needs(curve);
+            .one_of({"up", "down", "level"});
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -246,24 +253,92 @@ void print_assumed(const OwnConditions& conditions, const fs::path& path, const 
     }
 }
 
-int new_from_soil(const NewVerb& verb, const Console& console) {
-    const OwnConditions conditions = conditions_of(verb); // what was typed is judged before what the file holds
-    const gradings::GradingFile read = read_one_grading(verb.psd, verb.sample);
-    print_remarks(read, console);
-    const std::string& sample = read.soils.front().name;
-    const std::string named = sample.empty() ? verb.psd : sample + ".csv"; // as the file is called, so is the soil
-    const auto limit =
-        verb.fines.empty() ? std::nullopt : std::optional(quantity_of(verb.fines, dimension::length, "--fines", false));
-    const OwnSoil soil =
-        model_own_soil(read.soils.front().grading, named, {sizes_of(verb.sizes), limit, verb.particles});
-    const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
-    const fs::path folder = verb.given.empty() ? soil.name : verb.given;
-    const std::vector<std::string> written = write_new(
-        {{folder / "case.toml", own_case_text(soil, conditions)},
-         {folder / "data" / (soil.name + ".csv"), own_grading_text(soil, verb.psd)}}
+/// The curve of the user's soil, and the folder of its case.
+struct OwnCurve {
+    std::string path; ///< of the sheet
+    std::string name; ///< as the file is called, so is the soil
+    grains::Grading grading;
+    std::string folder; ///< empty: that of the soil's name
+};
+
+/// Writes the case and its grading. @return what the case costs
+plan::RunPlan write_own_case(
+    const OwnCurve& curve, const std::string& soil, const std::string& case_text, const fs::path& folder,
+    std::vector<std::string>& written, const Console& console
+) {
+    written = write_new(
+        {{folder / "case.toml", case_text},
+         {folder / "data" / (soil + ".csv"), own_grading_text(curve.grading, curve.path)}}
     );
     console.result(fmt::format("{}", fmt::join(written, "\n")));
-    const plan::RunPlan plan = price_of(folder / "case.toml");
+    return price_of(folder / "case.toml");
+}
+
+int new_surrogate(
+    const OwnCurve& curve, const std::optional<double>& limit, const NewVerb& verb, const OwnConditions& conditions,
+    const Console& console
+) {
+    const double most = verb.particles ? static_cast<double>(*verb.particles) : most_quick_grains;
+    const OwnSurrogate own = model_surrogate(curve.grading, curve.name, limit, most);
+    const grains::Surrogate& surrogate = *own.soil.surrogate;
+    const std::vector<std::string> left_out = answer::left_out_of(own.soil, own.ratios.back());
+    const fs::path folder = curve.folder.empty() ? own.name : curve.folder;
+    std::vector<std::string> written;
+    const plan::RunPlan plan =
+        write_own_case(curve, own.name, own_case_text(own, conditions), folder, written, console);
+    nlohmann::json document = {
+        {"written", written},
+        {"finer_than", surrogate.finer_than},
+        {"fines_content", own.soil.fines_content},
+        {"reason", own.reason},
+        {"size_ratio", surrogate.ratio_of_soil},
+        {"size_ratios", own.ratios},
+        {"extrapolated", own.is_extrapolated()},
+        {"left_out", left_out},
+        {"pressure", conditions.pressure.value_or(assumed_pressure)},
+        {"gradient", conditions.gradient ? nlohmann::json(*conditions.gradient) : nlohmann::json()},
+        {"steps", {plan.steps.least, plan.steps.most}},
+        {"seconds", {plan.seconds.least, plan.seconds.most}}};
+    console.document(json_text(document));
+    console.talk(fmt::format(
+        "split at {:.4g} mm ({}): {:.3g} % of the mass are fines, size ratio D50/d50 = {:.3g}",
+        1e3 * surrogate.finer_than, own.reason, 100 * own.soil.fines_content, surrogate.ratio_of_soil
+    ));
+    if (own.is_extrapolated()) {
+        console.talk(fmt::format(
+            "this ratio is out of reach: simulated are {:g} ({} grains at the last); the soil's own gradients are then "
+            "an "
+            "extrapolation",
+            fmt::join(own.ratios, ", "), count_text(own.grains)
+        ));
+    }
+    console.talk("a surrogate leaves out:");
+    for (const std::string& sentence : left_out) {
+        console.talk("  " + sentence);
+    }
+    console.talk(fmt::format("in the preset quick: {} on this machine", duration_range_text(plan.seconds)));
+    print_next_steps(folder, console);
+    return Done;
+}
+
+int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
+    const OwnConditions conditions = conditions_of(verb); // what was typed is judged before what the file holds
+    const gradings::GradingFile read = read_one_grading(curve.path, verb.sample);
+    print_remarks(read, console);
+    const std::string& sample = read.soils.front().name;
+    curve.name = sample.empty() ? curve.path : sample + ".csv";
+    curve.grading = read.soils.front().grading;
+    const auto limit =
+        verb.fines.empty() ? std::nullopt : std::optional(quantity_of(verb.fines, dimension::length, "--fines", false));
+    if (verb.surrogate) {
+        return new_surrogate(curve, limit, verb, conditions, console);
+    }
+    const OwnSoil soil = model_own_soil(curve.grading, curve.name, {sizes_of(verb.sizes), limit, verb.particles});
+    const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
+    const fs::path folder = curve.folder.empty() ? soil.name : curve.folder;
+    std::vector<std::string> written;
+    const plan::RunPlan plan =
+        write_own_case(curve, soil.name, own_case_text(soil, conditions), folder, written, console);
     console.document(json_text(
         {{"written", written},
          {"finer_than", soil.finer_than},
@@ -294,14 +369,37 @@ int new_from_soil(const NewVerb& verb, const Console& console) {
     return Done;
 }
 
+/// @throws UsageError for what belongs to a curve where there is none.
+void expect_no_curve_options(const NewVerb& verb) {
+    for (const auto& [option, is_given] :
+         {std::pair{"--sample", !verb.sample.empty()},
+          {"--sizes", !verb.sizes.empty()},
+          {"--fines", !verb.fines.empty()},
+          {"--surrogate", verb.surrogate},
+          {"--particles", verb.particles.has_value()},
+          {"--pressure", !verb.pressure.empty()},
+          {"--gradient", verb.gradient.has_value()},
+          {"--flow", !verb.flow.empty()}}) {
+        if (is_given) {
+            throw UsageError(fmt::format("{} needs --psd FILE: it is about the soil of a grading curve", option));
+        }
+    }
+}
+
 int NewVerb::act(const CommandLine&, const Console& console) const {
-    if (from.empty() == psd.empty()) {
+    std::error_code ignored;
+    const bool is_short = from.empty() && psd.empty() && fs::is_regular_file(given, ignored); // new soil.csv
+    if (is_short || !psd.empty()) {
+        return new_from_soil(*this, {is_short ? given : psd, {}, {}, is_short ? "" : given}, console);
+    }
+    expect_no_curve_options(*this);
+    if (from.empty()) {
         throw UsageError(fmt::format(
-            "new: --psd FILE for your own soil, from its grading curve; or --from NAME for an example: {}",
+            "new: FILE or --psd FILE for your own soil, from its grading curve; or --from NAME for an example: {}",
             fmt::join(template_names(), ", ")
         ));
     }
-    return psd.empty() ? new_from_template(*this, console) : new_from_soil(*this, console);
+    return new_from_template(*this, console);
 }
 
 } // namespace

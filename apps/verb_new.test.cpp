@@ -221,6 +221,45 @@ TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrTheSpecifiedOnes)
     expect_in("100 % of it is finer than 30 mm", beyond.error);
 }
 
+TEST_F(NewSoil, ASurrogateStandsForASoilThatIsTooWide) {
+    const std::string refused = run_suffuse({"new", "--psd", "wide gravel.csv"}).error;
+    expect_in("suffuse new --psd 'wide gravel.csv' --surrogate", refused);
+    const ProgramResult made = run_suffuse({"new", "wide gravel.csv", "--surrogate", "--json"}); // short for --psd
+    ASSERT_EQ(made.code, 0) << made.error;
+    const nlohmann::json document = made.json();
+    EXPECT_NEAR(document.at("fines_content").get<double>(), 0.21, 1e-12);
+    EXPECT_TRUE(document.at("extrapolated").get<bool>());
+    EXPECT_EQ(document.at("size_ratios"), nlohmann::json({4, 6.5, 10}));
+    const std::string text = read_all(folder / "wide-gravel/case.toml");
+    expect_in("surrogate         = { finer_than = \"0.3 mm\" }", text);
+    expect_in("size_ratio = [4, 6.5, 10]", text);
+    expect_in("direction = \"x\"", text);
+    expect_in("direction = \"z\"", text);
+    const ProgramResult plan = run_suffuse({"plan", "wide-gravel", "--json"});
+    ASSERT_EQ(plan.code, 0) << plan.error;
+    EXPECT_EQ(run_suffuse({"check", "wide-gravel", "--preset", "standard"}).code, 0);
+}
+
+TEST_F(NewSoil, ASurrogateHasTheSizeRatioOfItsSoilWhereThatIsInReach) {
+    const nlohmann::json document =
+        run_suffuse({"new", "gap.csv", "--surrogate", "--flow", "up", "-i", "0.3", "--json"}).json();
+    EXPECT_FALSE(document.at("extrapolated").get<bool>());
+    EXPECT_EQ(document.at("size_ratios").size(), 1U);
+    EXPECT_EQ(document.at("size_ratios").front(), document.at("size_ratio"));
+    const std::string text = read_all(folder / "gap/case.toml");
+    expect_in("asked_gradient = 0.3", text);
+    EXPECT_EQ(text.find("direction = \"x\""), std::string::npos) << "upward alone";
+    EXPECT_EQ(run_suffuse({"check", "gap"}).code, 0);
+}
+
+TEST_F(NewSoil, OfASoilThatNoSplitMakesUnstableThereIsNoSurrogate) {
+    const ProgramResult refused = run_suffuse({"new", "well.csv", "--surrogate"});
+    EXPECT_EQ(refused.code, 3);
+    expect_in("no split of this curve is unstable", refused.error);
+    expect_in("suffuse assess well.csv", refused.error);
+    EXPECT_EQ(run_suffuse({"new", "well.csv", "--surrogate", "--fines", "0.2mm"}).code, 0) << "where one is requested";
+}
+
 TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
     const ProgramResult neither = run_suffuse({"new", "dyke"});
     EXPECT_EQ(neither.code, 2);

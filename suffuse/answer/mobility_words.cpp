@@ -256,8 +256,17 @@ std::string flow_in_words(const erosion::MobilityResult& mobility) {
     return rise > along ? "Upward" : rise < -along ? "Downward" : std::abs(rise) < 1 - along ? "Level" : "Oblique";
 }
 
+std::string subject_of(const MobilityStory& story) {
+    std::string flow = flow_in_words(story.one()) + " flow";
+    if (story.surrogate() == nullptr) {
+        return flow;
+    }
+    flow[0] = static_cast<char>(flow[0] - 'A' + 'a');
+    return "By a surrogate, " + flow;
+}
+
 std::string verdict(const MobilityStory& story) {
-    std::string text = fmt::format("{} flow {}", flow_in_words(story.one()), what_moves(story));
+    std::string text = fmt::format("{} {}", subject_of(story), what_moves(story));
     text += heave_text(story, gradient_text(story.heave)) + ".";
     if (!story.specified_gradient) {
         return fmt::format("{} ({}).", text.substr(0, text.size() - 1), samples_text(story));
@@ -319,8 +328,7 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
 }
 
 std::vector<std::string> short_verdict(const MobilityStory& story) {
-    const std::string flow = flow_in_words(story.one());
-    std::vector<std::string> lines = {fmt::format("{} flow {}", flow, what_moves_in_short(story))};
+    std::vector<std::string> lines = {fmt::format("{} {}", subject_of(story), what_moves_in_short(story))};
     lines.front() += heave_text(story, fmt::format("{:.2f}", story.heave.mean)) + ".";
     if (!story.specified_gradient) {
         return lines;

@@ -14,6 +14,9 @@ namespace suffuse::answer {
 /// "Upward", "Downward", "Level", "Oblique".
 std::string flow_in_words(const erosion::MobilityResult& mobility);
 
+/// "Upward flow"; "By a surrogate, upward flow".
+std::string subject_of(const study::MobilityStory& story);
+
 /// "Upward flow moves 1 % of the fines at i = 0.30, a tenth at 0.51; the soil heaves at 1.05. At the specified 0.20 it
 /// moves 0.2 % (factor of safety 1.5; one sample)."
 std::string verdict(const study::MobilityStory& story);

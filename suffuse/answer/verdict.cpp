@@ -3,6 +3,7 @@
 #include "suffuse/answer/headlines.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/answer/surrogate_words.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/erosion/detachment.hpp"
@@ -289,7 +290,8 @@ std::vector<std::string> verdict_of_run(const RunResults& results) {
         lines = describe_fines(results);
         break;
     case Question::Sweep:
-        lines = describe_sweep(*reported_outcome(results), results.what->fluid);
+        lines = verdict_by_ratio(results.mobility);
+        lines = lines.empty() ? describe_sweep(*reported_outcome(results), results.what->fluid) : lines;
         break;
     case Question::Weight:
         lines = short_verdict(*study::main_mobility(results.mobility));

@@ -94,6 +94,10 @@ constexpr std::array guides = {
         "own-permeability", "permeability by pass", "Along the direction of the flow, before and after each pass.",
         "an `erode` stage"},
     Guide{
+        "own-surrogate", "a soil and its surrogate",
+        "The grading curve, where it is split, and the two fractions that stand for it.",
+        "a soil with `surrogate`, [gravity], and a `detach` stage"},
+    Guide{
         "own-mobility", "fines that a gradient moves",
         "Share of the fines' mass that a rising gradient moves against its weight; vertical lines: the specified "
         "gradient, Skempton and Brogan's α i_c with the α of the sample, and heave.",

@@ -25,6 +25,9 @@ std::optional<Figure> grading_curves(
     GradingAxis axis = GradingAxis::LeftToRight
 );
 
+/// Ours: the curve of a soil, its split, and the two fractions that stand for it. Nothing for other soils.
+std::optional<Figure> surrogate_grading(const grains::Soil& soil, GradingAxis axis = GradingAxis::LeftToRight);
+
 /// Figure 9: speed of the fines in a panel a gradient.
 std::optional<Figure> speed_by_gradient(const std::vector<erosion::ProbeResult>& probes);
 

@@ -181,6 +181,31 @@ grading_curves(const Grading& specified, const Grading& sampled, std::optional<d
     return figure;
 }
 
+std::optional<Figure> surrogate_grading(const grains::Soil& soil, GradingAxis axis) {
+    if (!soil.surrogate || !is_usable(*soil.measured)) {
+        return std::nullopt;
+    }
+    const grains::Surrogate& surrogate = *soil.surrogate;
+    Curves curves;
+    curves.add("soil", color::staying, *soil.measured);
+    curves.add("surrogate", color::detachable, grains::mixture(*soil.coarse, *soil.fines, soil.fines_content));
+    Figure figure;
+    figure.id = "own-surrogate";
+    figure.section = "Soils";
+    figure.title = "The soil and its surrogate";
+    figure.claim = fmt::format(
+        "Two fractions stand for the soil: {} % of fines, size ratio {}", short_number(100 * soil.fines_content),
+        short_number(surrogate.size_ratio)
+    );
+    figure.caption = fmt::format(
+        "The soil's curve is split at {} mm (its fines are shaded). Its parts have a ratio D50/d50 of {}.",
+        short_number(1e3 * surrogate.finer_than), short_number(surrogate.ratio_of_soil)
+    );
+    figure.chart = grading_chart(curves, surrogate.finer_than, axis);
+    figure.table = std::move(curves).table();
+    return figure;
+}
+
 std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult& erosion, GradingAxis axis) {
     if (!is_usable(sampled) || erosion.ledger.empty() || !(erosion.initial_mass > 0)) {
         return std::nullopt;

@@ -128,19 +128,23 @@ draw_grading(const casefile::Case& what, const std::filesystem::path& folder, co
 void show_stability(const casefile::Case& what, const grains::Soil& soil, report::ReportData& data) {
     const grains::Grading simulated = grains::specified_grading(soil);
     const grains::Grading& given = soil.measured ? *soil.measured : simulated;
-    const stability::Assessment assessment = assess_with(given, soil.finer_than);
+    const std::optional<double> finer_than =
+        soil.surrogate ? std::optional(soil.surrogate->finer_than) : soil.finer_than;
+    const stability::Assessment assessment = assess_with(given, finer_than);
     data.tables.push_back(figures::stability_table(assessment));
     data.tables.back().title = soil.measured ? "Internal stability by the whole grading, as measured"
                                              : "Internal stability by the simulated grading";
     if (soil.measured) {
         data.tables.push_back(figures::stability_table(assess_with(simulated, soil.finer_than)));
-        data.tables.back().title = "Internal stability by the part of the grading that was simulated";
+        data.tables.back().title = soil.surrogate ? "Internal stability by the grading of the surrogate"
+                                                  : "Internal stability by the part of the grading that was simulated";
         data.tables.back().note += " The table above is of the soil itself.";
     } else {
         data.tables.back().note += " All is of the grading that was simulated: where it is a part of the soil's curve, "
                                    "without the finest or the coarsest grains, the whole soil may be less stable. "
                                    "suffuse assess judges that.";
     }
+    add(figures::surrogate_grading(soil, axis_of(what)), data.figures);
     data.figures.push_back(figures::stability_grading(assessment, axis_of(what)));
     data.figures.push_back(figures::stability_shape(assessment));
 }

@@ -10,6 +10,7 @@
 #include "suffuse/answer/samples_table.hpp"
 #include "suffuse/answer/section_tables.hpp"
 #include "suffuse/answer/strength_words.hpp"
+#include "suffuse/answer/surrogate_words.hpp"
 #include "suffuse/answer/triaxial_table.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/words.hpp"
@@ -270,9 +271,10 @@ report::ReportData describe_run(
         show_stability(what, *judged->variant->soil, data);
     }
     for (std::optional<figures::PageTable> table :
-         {figures::mobility_table(results.mobility), answer::tabulate_removals(stages),
-          answer::tabulate_strength(results.strength), answer::tabulate_tests(results),
-          answer::tabulate_water(folder, stages, story, what.fluid), answer::tabulate_erosions(stages)}) {
+         {answer::tabulate_surrogate(results.mobility), figures::mobility_table(results.mobility),
+          answer::tabulate_removals(stages), answer::tabulate_strength(results.strength),
+          answer::tabulate_tests(results), answer::tabulate_water(folder, stages, story, what.fluid),
+          answer::tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

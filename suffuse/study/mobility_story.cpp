@@ -78,6 +78,11 @@ void compare_samples(MobilityStory& story) {
 
 } // namespace
 
+const grains::Surrogate* MobilityStory::surrogate() const {
+    const std::optional<grains::Soil>& soil = first->variant->soil;
+    return soil && soil->surrogate ? &*soil->surrogate : nullptr;
+}
+
 std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages) {
     std::vector<MobilityStory> stories;
     for (const record::FinishedStage& stage : stages) {

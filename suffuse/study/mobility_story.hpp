@@ -30,6 +30,9 @@ struct MobilityStory {
     double moved = 0.5;                       ///< along the flow, beyond which a grain counts as mobile [diameters]
 
     [[nodiscard]] const erosion::MobilityResult& one() const { return *of_sample.front(); }
+
+    /// Null where the samples are of the soil itself.
+    [[nodiscard]] const grains::Surrogate* surrogate() const;
 };
 
 /// In the order of the stages. An erosion gives its first pass: the soil as it was.

@@ -1,0 +1,28 @@
+#pragma once
+// A surrogate in words: what two fractions of nearly equal grains leave out of the soil that they stand for, and how
+// the gradients depend on the size ratio where the soil's own could not be simulated.
+
+#include "suffuse/figures/page_table.hpp"
+#include "suffuse/study/mobility_story.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suffuse::answer {
+
+/// Above this size ratio single fines fall through the skeleton by their own weight, as the trials found
+/// (validation/surrogate.md).
+inline constexpr double sifting_ratio = 6.5;
+
+/// What differs from the soil, a sentence each. @param soil of a surrogate
+/// @param largest_ratio that is simulated [-]
+std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ratio);
+
+/// The verdict of surrogates of one soil at several size ratios; nothing for other runs.
+std::vector<std::string> verdict_by_ratio(const std::vector<study::MobilityStory>& stories);
+
+/// The soil and its surrogate side by side; nothing for other runs.
+std::optional<figures::PageTable> tabulate_surrogate(const std::vector<study::MobilityStory>& stories);
+
+} // namespace suffuse::answer
