@@ -47,7 +47,7 @@ porosity = 0.65                       #~
 [[study.surrogate.stage]]
 name     = "initial"
 do       = "compact"
-pressure = {pressure:<27}{pressure_mark} the skeleton is held, and stress hardly matters
+pressure = {pressure:<27}{pressure_mark} the skeleton is held, so stress has little effect
 {protocol}prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser, and density matters
 {stages})";
 

@@ -1,8 +1,10 @@
 #include "suffuse/answer/opening.hpp"
 
+#include "suffuse/answer/basis.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/answer/strength_words.hpp"
+#include "suffuse/answer/surrogate_words.hpp"
 #include "suffuse/answer/verdict.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
@@ -137,11 +139,15 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     opening.verdict = verdict_of_run(results);
     describe_confidence(results, opening);
     opening.cards = cards_of(results, findings);
-    if (const study::MobilityStory* const main = study::main_mobility(results.mobility);
-        main != nullptr && question == Question::Weight) {
+    const study::MobilityStory* const main = study::main_mobility(results.mobility);
+    if (main != nullptr && question == Question::Weight) {
+        opening.estimates = estimates_of(*main);
+        opening.doubts = doubts_about(*main);
         if (auto text = disagreement(*main)) {
             opening.disagreement.push_back(std::move(*text));
         }
+    } else if (const study::MobilityStory* const surrogate = nearest_surrogate(results.mobility)) {
+        opening.doubts = doubts_about(*surrogate);
     }
     opening.pictures = pictures_for(question);
     opening.shows_grains =

@@ -107,6 +107,11 @@ std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ra
     return sentences;
 }
 
+const MobilityStory* nearest_surrogate(const std::vector<MobilityStory>& stories) {
+    const std::vector<const MobilityStory*> by_ratio = stories_by_ratio(stories);
+    return by_ratio.empty() ? nullptr : by_ratio.back();
+}
+
 std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stories) {
     const std::vector<const MobilityStory*> by_ratio = stories_by_ratio(stories);
     if (by_ratio.size() < 2) {

@@ -19,6 +19,9 @@ inline constexpr double sifting_ratio = 6.5;
 /// @param largest_ratio that is simulated [-]
 std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ratio);
 
+/// The reported story of the largest size ratio; null for other runs.
+const study::MobilityStory* nearest_surrogate(const std::vector<study::MobilityStory>& stories);
+
 /// The verdict of surrogates of one soil at several size ratios; nothing for other runs.
 std::vector<std::string> verdict_by_ratio(const std::vector<study::MobilityStory>& stories);
 

@@ -206,6 +206,8 @@ summarize(const casefile::Case& what, const std::filesystem::path& folder, const
                                   {"answer",
                                    {{"verdict", data.opening.verdict},
                                     {"confidence", data.opening.confidence},
+                                    {"estimates", data.opening.estimates},
+                                    {"doubts", data.opening.doubts},
                                     {"cards", cards_json(data.opening.cards)}}},
                                   {"warnings", summary.warnings},
                                   {"flaws", summary.flaws},

@@ -151,6 +151,19 @@ std::string warnings_fold(const ReportData& report) {
     return content.empty() ? "" : fold(fmt::format("▲ Warnings: {}", all), "of stages, and of the case", content);
 }
 
+/// What the verdict rests on, and its largest doubts.
+std::string basis(const answer::Opening& opening) {
+    std::string out = opening.estimates.empty() ? "" : fmt::format("<p>{}</p>\n", typeset(opening.estimates));
+    if (!opening.doubts.empty()) {
+        out += "<ul class=\"doubts\">";
+        for (const std::string& doubt : opening.doubts) {
+            out += fmt::format("<li>{}</li>", typeset(doubt));
+        }
+        out += "</ul>\n";
+    }
+    return out;
+}
+
 std::string note(const char* title, const std::string& text) {
     return fmt::format("<p class=\"note\" role=\"note\">▲ <b>{}</b> {}</p>\n", title, typeset(text));
 }
@@ -181,6 +194,7 @@ std::string answer_content(const ReportData& report, Numbering& numbering) {
             typeset(report.opening.about_confidence)
         );
     }
+    out += basis(report.opening);
     for (const std::string& flaw : report.flaws) {
         out += note("Flaw.", flaw);
     }

@@ -100,6 +100,9 @@ std::string print_cover(const ReportData& report, const std::vector<std::pair<st
     for (const std::string& text : report.opening.disagreement) {
         caution += typeset(text) + " ";
     }
+    for (const std::string& text : report.opening.doubts) {
+        caution += typeset(text) + " ";
+    }
     if (!report.unfinished.missing.empty()) {
         caution += "This run is not complete: " + typeset(report.unfinished.missing) + ".";
     }

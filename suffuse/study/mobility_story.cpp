@@ -20,12 +20,11 @@ const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {
     return first ? &*first : nullptr;
 }
 
-/// Which way along the flow makes a grain mobile [diameters].
-double moved_of(const casefile::Stage& stage) {
+const erosion::WeighedMotion& weighed_of(const casefile::Stage& stage) {
     if (const auto* const detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
-        return detach->probe.weighed.moved;
+        return detach->probe.weighed;
     }
-    return std::get<erosion::ErodeSpec>(stage.spec).probe.weighed.moved;
+    return std::get<erosion::ErodeSpec>(stage.spec).probe.weighed;
 }
 
 /// Of what the samples have, not a number where they do not.
@@ -96,7 +95,8 @@ std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedSta
             story = stories.insert(stories.end(), MobilityStory{});
             story->first = &stage;
             story->name = name;
-            story->moved = moved_of(*stage.stage);
+            story->moved = weighed_of(*stage.stage).moved;
+            story->hold_at_most = weighed_of(*stage.stage).hold_at_most;
         }
         story->of_sample.push_back(mobility);
     }

@@ -1,0 +1,191 @@
+#include "suffuse/answer/basis.hpp"
+
+#include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace suffuse::answer {
+namespace {
+
+using nlohmann::json;
+using study::MobilityStory;
+
+/// What a doubt is worth: 1 where it begins to matter.
+struct Doubt {
+    double weight = 0;
+    std::string sentence;
+};
+
+/// One estimate of the gradient that moves 1 % of the fines.
+struct Estimate {
+    double gradient = 0;
+    const char* by = "";
+};
+
+/// The gradient that moves 1 % over that which lifts single grains: 1.07 with a spread of 11 % over 12 samples
+/// (theory/surrogates.md), all under upward flow.
+constexpr double moves_over_single = 1.07;
+
+std::vector<Estimate> all_estimates(const MobilityStory& story) {
+    std::vector<Estimate> estimates;
+    if (story.skempton_brogan.seeds > 0) {
+        estimates.push_back({story.skempton_brogan.mean, "α i_c, Skempton and Brogan"});
+    }
+    const erosion::MobilityResult& one = story.one();
+    const bool is_upward = dot(one.down, one.direction) < -0.9999;
+    if (is_upward && one.single_grain_gradient) {
+        estimates.push_back({moves_over_single * *one.single_grain_gradient, "lift of single grains"});
+    }
+    if (story.moves_1.seeds > 0) {
+        estimates.push_back({story.moves_1.mean, "simulated"});
+    }
+    return estimates;
+}
+
+double share_between(const grains::Grading& curve, const grains::Grading& part) {
+    return grains::passing(curve, part.diameter.back()) - grains::passing(curve, part.diameter.front());
+}
+
+void doubt_model(const MobilityStory& story, std::vector<Doubt>& doubts) {
+    const std::optional<grains::Soil>& soil = story.first->variant->soil;
+    if (!soil || !soil->measured) {
+        return;
+    }
+    if (const grains::Surrogate* const surrogate = story.surrogate()) {
+        doubts.push_back(
+            {surrogate->ratio_of_soil > 1.001 * surrogate->size_ratio ? 10.0 : 3.0,
+             "Two fractions of nearly equal grains stand for the soil: see “The soil and its surrogate”."}
+        );
+        return;
+    }
+    const double share = share_between(*soil->measured, *soil->whole);
+    constexpr double enough = 0.95;
+    if (share < enough) {
+        doubts.push_back(
+            {(1 - share) / (1 - enough),
+             fmt::format(
+                 "Only {} of the mass is modeled. For the size ratio of the whole curve: `suffuse new --psd FILE "
+                 "--surrogate`.",
+                 percent_text(share)
+             )}
+        );
+    }
+}
+
+void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
+    constexpr double wide = 10, many = 200;
+    const std::optional<grains::Soil>& soil = story.first->variant->soil;
+    const json& numbers = story.first->numbers;
+    if (!soil || !numbers.contains("cell") || !numbers.contains("grains")) {
+        return;
+    }
+    const grains::Grading grading = grains::specified_grading(*soil);
+    const json& cell = numbers.at("cell");
+    double narrowest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k) {
+        narrowest = std::min(narrowest, cell.at(k).at(k).get<double>());
+    }
+    const double width = narrowest / grading.diameter.back();
+    const std::int64_t coarse = numbers.at("grains").get<std::int64_t>() - std::ssize(story.one().id);
+    const double weight =
+        std::max(wide / width, std::sqrt(many / static_cast<double>(std::max<std::int64_t>(1, coarse))));
+    if (weight <= 1) {
+        return;
+    }
+    const double factor = std::pow(std::max(1.0, wide / width), 3);
+    const casefile::Study& study = *story.first->study;
+    const std::string key = study.sample_size ? "sample_size.coarse_grains" : "particles";
+    const double count = study.sample_size ? factor * static_cast<double>(coarse)
+                                           : factor * static_cast<double>(numbers.at("grains").get<std::int64_t>());
+    doubts.push_back(
+        {weight,
+         fmt::format(
+             "The cell is {} largest grains wide and has {} coarse grains. To have {:g}: `--set study.{}.{}={}`.",
+             short_number(width, 2), grouped(coarse), wide, study.name, key, std::llround(std::ceil(count / 100) * 100)
+         )}
+    );
+}
+
+void doubt_motion(const MobilityStory& story, std::vector<Doubt>& doubts) {
+    if (story.at_most_1 || story.at_most_10) {
+        doubts.push_back(
+            {story.at_most_1 ? 4.0 : 1.5,
+             fmt::format(
+                 "Fines were still moving when the gradient rose, so that {} may be lower. To hold longer: `--set "
+                 "study.{}.stage.{}.hold_at_most={:g}`.",
+                 story.at_most_1 ? "these gradients" : "the gradient that moves a tenth", story.first->study->name,
+                 story.first->stage->name, 4 * story.hold_at_most
+             )}
+        );
+    }
+}
+
+void doubt_stress(const MobilityStory& story, std::vector<Doubt>& doubts) {
+    constexpr double much = 0.1; // q/p of a sample that was compacted by equal stresses
+    const json& numbers = story.first->numbers;
+    if (!numbers.contains("deviator_stress") || !numbers.contains("mean_stress")) {
+        return;
+    }
+    const double q = numbers.at("deviator_stress"), p = numbers.at("mean_stress");
+    if (p > 0 && q > much * p) {
+        doubts.push_back(
+            {q / (much * p),
+             fmt::format(
+                 "The preparation left a shear stress of q = {} kPa at p = {} kPa; a larger sample has less.",
+                 short_number(q / 1e3, 2), short_number(p / 1e3)
+             )}
+        );
+    }
+}
+
+} // namespace
+
+std::string estimates_of(const MobilityStory& story) {
+    const std::vector<Estimate> estimates = all_estimates(story);
+    if (estimates.empty()) {
+        return "";
+    }
+    std::vector<std::string> texts;
+    for (const Estimate& estimate : estimates) {
+        texts.push_back(fmt::format("{:.2f} ({})", estimate.gradient, estimate.by));
+    }
+    std::string text = fmt::format("Estimates of the gradient that moves 1 %: {}.", fmt::join(texts, ", "));
+    if (story.specified_gradient && *story.specified_gradient > 0) {
+        const auto [least, most] = std::ranges::minmax_element(estimates, {}, &Estimate::gradient);
+        const double specified = *story.specified_gradient;
+        text += estimates.size() == 1
+                    ? fmt::format(" Over the specified {:g}: {:.1f}.", specified, least->gradient / specified)
+                    : fmt::format(
+                          " Over the specified {:g}: {:.1f} ({}) to {:.1f} ({}).", specified,
+                          least->gradient / specified, least->by, most->gradient / specified, most->by
+                      );
+    }
+    return text;
+}
+
+std::vector<std::string> doubts_about(const MobilityStory& story) {
+    constexpr std::size_t most_reported = 3;
+    std::vector<Doubt> doubts;
+    doubt_model(story, doubts);
+    doubt_size(story, doubts);
+    doubt_motion(story, doubts);
+    doubt_stress(story, doubts);
+    std::ranges::stable_sort(doubts, std::greater(), &Doubt::weight);
+    doubts.resize(std::min(doubts.size(), most_reported));
+    std::vector<std::string> sentences;
+    std::ranges::transform(doubts, std::back_inserter(sentences), &Doubt::sentence);
+    return sentences;
+}
+
+} // namespace suffuse::answer

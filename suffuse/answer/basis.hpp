@@ -1,0 +1,19 @@
+#pragma once
+// What a critical gradient rests on: every estimate of it, by name, and what makes it doubtful, with the call that
+// would remove each doubt.
+
+#include "suffuse/study/mobility_story.hpp"
+
+#include <string>
+#include <vector>
+
+namespace suffuse::answer {
+
+/// "Estimates of the gradient that moves 1 %: 0.14 (...), 0.22 (...), 0.20 (simulated). Against the specified 0.3 ...".
+std::string estimates_of(const study::MobilityStory& story);
+
+/// At most three sentences, the largest doubt first: a part or a surrogate of the soil, a narrow cell, fines that were
+/// still moving, shear stress left over from the preparation. How many samples there are is reported elsewhere.
+std::vector<std::string> doubts_about(const study::MobilityStory& story);
+
+} // namespace suffuse::answer

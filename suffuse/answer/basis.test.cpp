@@ -1,0 +1,105 @@
+#include "suffuse/answer/basis.hpp"
+
+#include "suffuse/grains/surrogate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::answer {
+namespace {
+
+using study::MobilityStory;
+
+std::string first_doubt(const MobilityStory& story) {
+    const std::vector<std::string> doubts = doubts_about(story);
+    return doubts.empty() ? "none" : doubts.front();
+}
+
+/// One sample of 1,000 grains, 700 of them fine, under upward flow.
+class Basis : public testing::Test {
+protected:
+    Basis() {
+        study_.name = "dam", study_.particles = 1000;
+        mobility_.down = {0, 0, -1}, mobility_.direction = {0, 0, 1};
+        mobility_.ramp = {{.gradient = 0.2, .mobile_mass_share = 0.002}, {.gradient = 1.2, .mobile_mass_share = 0.2}};
+        mobility_.moves_1 = 0.3, mobility_.heave_gradient = 1.3, mobility_.skempton_brogan_gradient = 0.15;
+        mobility_.single_grain_gradient = 0.25;
+        mobility_.id.resize(700), mobility_.mass.resize(700), mobility_.diameter.resize(700);
+        variant_.soil.emplace();
+        variant_.soil->whole = grains::Grading{{1e-4, 1e-3}, {0, 1}, ""};
+    }
+
+    /// @param width of the cell in largest grains @param q deviator stress at 100 kPa [Pa]
+    MobilityStory story(double width, double q) {
+        const double edge = 1e-3 * width;
+        const nlohmann::json numbers = {
+            {"grains", 1000},
+            {"cell", {{edge, 0, 0}, {0, edge, 0}, {0, 0, edge}}},
+            {"mean_stress", 100e3},
+            {"deviator_stress", q}};
+        stages_ = {{&study_, &variant_, &stage_, numbers, {}}};
+        stages_.front().findings.mobility = mobility_;
+        return study::gather_mobility(stages_).front();
+    }
+
+    casefile::Study study_;
+    casefile::Variant variant_;
+    casefile::Stage stage_{.name = "up", .spec = erosion::DetachStageSpec{}};
+    erosion::MobilityResult mobility_;
+    std::vector<record::FinishedStage> stages_;
+};
+
+TEST_F(Basis, NamesEveryEstimateOfTheGradientAndTheirRangeOverTheSpecifiedOne) {
+    EXPECT_EQ(
+        estimates_of(story(20, 0)),
+        "Estimates of the gradient that moves 1 %: 0.15 (α i_c, Skempton and Brogan), 0.27 (lift of single grains), "
+        "0.30 (simulated)."
+    );
+    mobility_.specified_gradient = 0.1;
+    EXPECT_NE(
+        estimates_of(story(20, 0)).find("Over the specified 0.1: 1.5 (α i_c, Skempton and Brogan) to 3.0 (simulated)."),
+        std::string::npos
+    ) << estimates_of(story(20, 0));
+}
+
+TEST_F(Basis, UnderLevelFlowNothingIsLiftedAndTheSimulationStandsAlone) {
+    mobility_.direction = {1, 0, 0};
+    mobility_.heave_gradient.reset(), mobility_.skempton_brogan_gradient.reset();
+    EXPECT_EQ(estimates_of(story(20, 0)), "Estimates of the gradient that moves 1 %: 0.30 (simulated).");
+}
+
+TEST_F(Basis, AWideRestedWholeSampleWhoseMotionEndedLeavesNoDoubt) {
+    EXPECT_TRUE(doubts_about(story(20, 0)).empty());
+}
+
+TEST_F(Basis, EachDoubtSaysWhatWouldRemoveIt) {
+    const std::vector<std::string> narrow = doubts_about(story(5, 0));
+    ASSERT_EQ(narrow.size(), 1U);
+    EXPECT_EQ(
+        narrow.front(), "The cell is 5 largest grains wide and has 300 coarse grains. To have 10: `--set "
+                        "study.dam.particles=8000`."
+    );
+    EXPECT_NE(first_doubt(story(20, 34e3)).find("q = 34 kPa at p = 100 kPa"), std::string::npos);
+    mobility_.ramp.back().still_moving = 0.1;
+    EXPECT_NE(first_doubt(story(20, 0)).find("study.dam.stage.up.hold_at_most=400"), std::string::npos);
+    mobility_.ramp.back().still_moving = 0;
+    variant_.soil->measured = grains::Grading{{1e-5, 1e-4, 1e-3, 2e-3}, {0, 0.2, 0.8, 1}, ""};
+    EXPECT_NE(first_doubt(story(20, 0)).find("Only 60 % of the mass is modeled"), std::string::npos);
+}
+
+TEST_F(Basis, TheLargestDoubtComesFirst) {
+    variant_.soil->measured = grains::Grading{{1e-5, 1e-4, 1e-3}, {0, 0.06, 1}, ""};
+    const std::vector<std::string> doubts = doubts_about(story(2, 15e3));
+    ASSERT_EQ(doubts.size(), 3U);
+    EXPECT_NE(doubts[0].find("The cell is 2 largest grains wide"), std::string::npos);
+    EXPECT_NE(doubts[1].find("shear stress"), std::string::npos);
+    EXPECT_NE(doubts[2].find("of the mass is modeled"), std::string::npos);
+}
+
+TEST_F(Basis, ASurrogateIsADoubtOfItsOwn) {
+    const grains::Grading curve{{0.1e-3, 0.4e-3, 1e-3, 4e-3}, {0, 0.2, 0.2, 1}, ""};
+    variant_.soil = grains::surrogate_of(curve, 0.5e-3, 4);
+    EXPECT_NE(first_doubt(story(30, 0)).find("Two fractions"), std::string::npos);
+}
+
+} // namespace
+} // namespace suffuse::answer
