@@ -3,7 +3,6 @@
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
-#include "suffuse/dem/inspect.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 
