@@ -47,7 +47,7 @@ porosity = 0.65                       #~
 [[study.erosion.stage]]
 name     = "initial"
 do       = "compact"
-pressure = {pressure:<27}{pressure_mark} the effective stress at the depth of interest
+pressure = {pressure:<27}{pressure_mark} the effective stress, which decides the strength
 prepare  = {{ friction = "10 deg" }}    #~ during compaction only: lower is denser
 measure  = ["void-ratios", "porosity", "permeability"]
 
@@ -101,7 +101,7 @@ std::string mobility_stage(const OwnConditions& conditions, std::string_view gra
 std::string_view weight_note(const std::optional<FlowWay>& flow) {
     return flow ? "Fines have weight here: the report begins with the\n# gradient that moves them."
                 : "(Grains have no weight here: fines that carry no load\n# leave under any gradient; suffuse new "
-                  "--flow up gives them weight.)";
+                  "--flow level gives them weight.)";
 }
 
 /// The part of the curve that is modeled, where it is not all of it.

@@ -52,7 +52,7 @@ struct NewVerb final : Verb {
     NewVerb()
         : Verb(
               "new", "write a commented case and its data as a starting point",
-              "suffuse new my-dyke --psd dyke.csv --flow up -i 12m/30m"
+              "suffuse new my-dyke --psd dyke.csv --flow level -i 12m/30m"
           ) {}
 
     std::string given;                     ///< folder

@@ -37,7 +37,7 @@ void judge_shape(const LeastRatio& least, double percent, Criterion& criterion) 
     criterion.measure = shape_ratio_measure;
     criterion.value = least.value;
     criterion.diameter = least.at.diameter;
-    criterion.remark = fmt::format("no gap, {:.3g} % finer than 0.063 mm", percent);
+    criterion.remark = fmt::format("no gap, {:.3g} % finer than 0.063 mm{}", percent, trace_text(least));
     if (percent >= 20) { // there the limit of H/F has come down to 0
         criterion.verdict = Verdict::Stable;
         criterion.remark += ", 20 % or more: stable with any H/F";

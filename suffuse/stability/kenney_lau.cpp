@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/stability/criterion_guide.hpp"
+#include "suffuse/stability/filter_ratio.hpp"
 
 #include <fmt/format.h>
 
@@ -69,8 +70,15 @@ std::optional<LeastRatio> least_measured_ratio(const Grading& measured, double l
 
 std::string place_of(const LeastRatio& least, double limit) {
     return fmt::format(
-        "at d = {:.3g} mm, F = {:.3g} % (F up to {:.0f} %)", 1e3 * least.at.diameter, 100 * least.at.finer, 100 * limit
+        "at d = {:.3g} mm, F = {:.3g} % (F up to {:.0f} %){}", 1e3 * least.at.diameter, 100 * least.at.finer,
+        100 * limit, trace_text(least)
     );
+}
+
+std::string trace_text(const LeastRatio& least) {
+    return least.at.finer < least_part
+               ? fmt::format("; a trace: only this {:.2g} % of the mass could leave", 100 * least.at.finer)
+               : "";
 }
 
 Criterion kenney_lau_1985(const Grading& grading, double limit) {

@@ -31,6 +31,10 @@ inline constexpr const char* secant_ratio_measure = "min H/min(F, 15 %)";
 std::optional<LeastRatio>
 least_measured_ratio(const grains::Grading& measured, double limit, const std::string& measure);
 
+/// "; a trace: only this 1.1 % of the mass could leave", where less is finer than a part of a soil has
+/// (filter_ratio.hpp).
+std::string trace_text(const LeastRatio& least);
+
 /// "at d = 0.25 mm, F = 20 % (F up to 20 %)".
 std::string place_of(const LeastRatio& least, double limit);
 

@@ -88,5 +88,15 @@ TEST(LiFannin, TakesTheMilderOfKenneyLauAndKezdi) {
     EXPECT_EQ(li_fannin(grading, 0.2).verdict, Verdict::Stable);
 }
 
+TEST(KenneyLau, OfATraceOfFinesTheRemarkSaysHowLittleCouldLeave) {
+    // A uniform sand with 1.3 % of silt far below it.
+    const grains::Grading grading{{0.005e-3, 0.03e-3, 0.15e-3, 0.5e-3}, {0, 0.013, 0.013, 1}, "sand"};
+    const Criterion criterion = kenney_lau_1986(grading, 0.3);
+    EXPECT_EQ(criterion.verdict, Verdict::Unstable) << "by the letter of the rule";
+    EXPECT_NE(criterion.remark.find("; a trace: only this 1.3 % of the mass could leave"), std::string::npos)
+        << criterion.remark;
+    EXPECT_EQ(kenney_lau_1986(two_boxes(0.25), 0.3).remark.find("trace"), std::string::npos);
+}
+
 } // namespace
 } // namespace suffuse::stability
