@@ -177,11 +177,9 @@ TEST_F(Assess, SaysTheFiltersVerdictInTheReportOnThePageAndUnderThePicture) {
     expect_in("fails by 2 of 7 rules", read_all(folder / "page.html"));
 }
 
-TEST_F(Assess, DrawsTheCurvesAloneIntoAFile) {
-    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
-    if (!std::filesystem::exists(drawing.lexically_normal())) {
-        GTEST_SKIP() << "npm has not built the report's page; ./test does";
-    }
+using DrawingAssess = Drawing<Assess>;
+
+TEST_F(DrawingAssess, DrawsTheCurvesAloneIntoAFile) {
     EXPECT_EQ(call("dyke.csv -o curves.svg"), 0) << error;
     expect_in("<svg", read_all(folder / "curves.svg"));
     EXPECT_EQ(call("dyke.csv -o curves.pdf"), 0) << error;

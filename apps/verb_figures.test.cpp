@@ -76,11 +76,9 @@ TEST_F(Cli, FiguresSayWhatIsMissingAndCallTheConverterForPixels) {
     expect_in("/fig07.pdf /", calls);
 }
 
-TEST_F(Cli, FiguresDrawSpecificationsWhereTheirProgramIsBuilt) {
-    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
-    if (!std::filesystem::exists(drawing.lexically_normal())) {
-        GTEST_SKIP() << "npm has not built the report's page; ./test does";
-    }
+using DrawingCli = Drawing<Cli>;
+
+TEST_F(DrawingCli, FiguresDrawSpecificationsWhereTheirProgramIsBuilt) {
     write_figures(folder / "run");
     const ProgramResult drawn = run_suffuse({"figures", "run", "--json"});
     ASSERT_EQ(drawn.code, 0) << drawn.error;
@@ -90,11 +88,7 @@ TEST_F(Cli, FiguresDrawSpecificationsWhereTheirProgramIsBuilt) {
     EXPECT_NE(svg.find("<desc>two &lt; three</desc>"), std::string::npos);
 }
 
-TEST_F(Cli, AFigureThatCannotBeDrawnIsNamedAndOthersAreDrawn) {
-    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
-    if (!std::filesystem::exists(drawing.lexically_normal())) {
-        GTEST_SKIP() << "npm has not built the report's page; ./test does";
-    }
+TEST_F(DrawingCli, AFigureThatCannotBeDrawnIsNamedAndOthersAreDrawn) {
     write_figures(folder / "run");
     write_to(folder / "run/figures/a-broken-one.vl.json", "{");
     const ProgramResult result = run_suffuse({"figures", "run", "-o", "drawn"});

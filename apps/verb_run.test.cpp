@@ -37,11 +37,9 @@ TEST_F(Cli, ARunLeavesItsResultsOnStandardOutputAndItsTalkOnStandardError) {
     EXPECT_TRUE(std::filesystem::exists(folder / "runs/soil-0002/summary.json"));
 }
 
-TEST_F(Cli, ChartsOfAReportAreDrawnInAdvanceUnlessTheEnvironmentForbidsIt) {
-    const std::filesystem::path drawing = std::filesystem::path(SUFFUSE_PROGRAM) / "../../../report-page/figures.mjs";
-    if (!std::filesystem::exists(drawing.lexically_normal())) {
-        GTEST_SKIP() << "npm has not built the report's page; ./test does";
-    }
+using DrawingCli = Drawing<Cli>;
+
+TEST_F(DrawingCli, ChartsOfAReportAreDrawnInAdvanceUnlessTheEnvironmentForbidsIt) {
     run_suffuse({"new", "soil", "--from", "replay"});
     for (const char* stills : {"yes", "no"}) {
         setenv("SUFFUSE_STILLS", stills, 1);

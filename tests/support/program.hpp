@@ -185,6 +185,20 @@ private:
     int gates_ = 0;
 };
 
+/// The same, in tests that draw charts: skipped where npm has not built the report's page.
+template <class Fixture>
+class Drawing : public Fixture {
+protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(
+                std::filesystem::path(SUFFUSE_PROGRAM).parent_path() / "../../report-page/figures.mjs"
+            )) {
+            GTEST_SKIP() << "npm has not built the report's page; ./test does";
+        }
+        Fixture::SetUp();
+    }
+};
+
 inline void expect_in(const std::string& part, const std::string& text) {
     EXPECT_NE(text.find(part), std::string::npos) << "\"" << part << "\" is not in:\n" << text;
 }
