@@ -172,7 +172,8 @@ std::optional<Mat3> CellOption::matrix() const {
 
 void PackingOutput::add_to(Options& options) {
     options.value("-o,--output", file, "file to write").type("FILE");
-    options.value("--format", format, "csv, yade, xyz, lammps, dump or vtp; by the file's ending unless given")
+    const std::string names = fmt::format("{}", fmt::join(io::packing_format_names(), ", "));
+    options.value("--format", format, names + "; by the file's ending unless given")
         .type("NAME")
         .suggest(io::packing_format_names);
 }

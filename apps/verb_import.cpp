@@ -129,7 +129,7 @@ int ImportVerb::act(const CommandLine&, const Console& console) const {
     }
     if (!output.file.empty()) {
         const io::PackingFormat format = output.chosen_format();
-        if (!taken.h && format != io::PackingFormat::Csv && format != io::PackingFormat::Yade) {
+        if (!taken.h && io::needs_cell(format)) {
             throw UsageError(fmt::format(
                 "{}, and {} is written with one; give --cell LX,LY,LZ", shown(taken.no_cell), shown(output.file)
             ));

@@ -9,77 +9,81 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace suffuse::io {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PackingFormat>, 6> format_names{{
-    {"csv", PackingFormat::Csv},
-    {"yade", PackingFormat::Yade},
-    {"xyz", PackingFormat::ExtendedXyz},
-    {"lammps", PackingFormat::LammpsData},
-    {"dump", PackingFormat::LammpsDump},
-    {"vtp", PackingFormat::Vtp},
-}};
+struct FormatRow {
+    PackingFormat format;
+    std::string_view name;
+    std::vector<std::string_view> endings;
+    bool needs_cell;
+    void (*write)(const std::filesystem::path&, const dem::World&);
+};
 
-constexpr std::array<std::pair<std::string_view, PackingFormat>, 9> format_endings{{
-    {".csv", PackingFormat::Csv},
-    {".txt", PackingFormat::Yade},
-    {".xyz", PackingFormat::ExtendedXyz},
-    {".extxyz", PackingFormat::ExtendedXyz},
-    {".data", PackingFormat::LammpsData},
-    {".lmp", PackingFormat::LammpsData},
-    {".dump", PackingFormat::LammpsDump},
-    {".lammpstrj", PackingFormat::LammpsDump},
-    {".vtp", PackingFormat::Vtp},
-}};
+const std::vector<FormatRow>& formats() {
+    using Path = std::filesystem::path;
+    using dem::World;
+    static const std::vector<FormatRow> rows = {
+        {PackingFormat::Csv, "csv", {".csv"}, false, [](const Path& p, const World& w) { export_csv(p, w.grains); }},
+        {PackingFormat::Yade, "yade", {".txt"}, false, [](const Path& p, const World& w) { export_yade(p, w.grains); }},
+        {PackingFormat::ExtendedXyz,
+         "xyz",
+         {".xyz", ".extxyz"},
+         true,
+         [](const Path& p, const World& w) { export_extended_xyz(p, w.grains, w.cell); }},
+        {PackingFormat::LammpsData,
+         "lammps",
+         {".data", ".lmp"},
+         true,
+         [](const Path& p, const World& w) { export_lammps_data(p, w.grains, w.cell); }},
+        {PackingFormat::LammpsDump, "dump", {".dump", ".lammpstrj"}, true, export_lammps_dump},
+        {PackingFormat::Vtp, "vtp", {".vtp"}, true, export_vtp},
+    };
+    return rows;
+}
 
-template <class Table>
-std::optional<PackingFormat> look_up(const Table& table, std::string_view word) {
-    for (const auto& [name, format] : table) {
-        if (name == word) {
-            return format;
-        }
-    }
-    return std::nullopt;
+/// The row of a format. @throws Bug where it has none.
+const FormatRow& row_of(PackingFormat format) {
+    const auto row = std::ranges::find(formats(), format, &FormatRow::format);
+    expects(row != formats().end(), "a packing format has its row in packing_export.cpp");
+    return *row;
+}
+
+template <class Test>
+std::optional<PackingFormat> format_where(const Test& is_so) {
+    const auto row = std::ranges::find_if(formats(), is_so);
+    return row == formats().end() ? std::nullopt : std::optional(row->format);
 }
 
 } // namespace
 
 std::vector<std::string> packing_format_names() {
     std::vector<std::string> names;
-    for (const auto& [name, format] : format_names) {
-        names.emplace_back(name);
+    for (const FormatRow& row : formats()) {
+        names.emplace_back(row.name);
     }
     return names;
 }
 
 std::optional<PackingFormat> packing_format_of_name(std::string_view name) {
-    return look_up(format_names, name);
+    return format_where([&](const FormatRow& row) { return row.name == name; });
 }
 
 std::optional<PackingFormat> packing_format_of_file(const std::filesystem::path& path) {
-    return look_up(format_endings, path.extension().string());
+    return format_where([ending = path.extension().string()](const FormatRow& row) {
+        return std::ranges::count(row.endings, ending) > 0;
+    });
+}
+
+bool needs_cell(PackingFormat format) {
+    return row_of(format).needs_cell;
 }
 
 void export_packing(const std::filesystem::path& path, const dem::World& world, PackingFormat format) {
-    switch (format) {
-    case PackingFormat::Csv:
-        return export_csv(path, world.grains);
-    case PackingFormat::Yade:
-        return export_yade(path, world.grains);
-    case PackingFormat::ExtendedXyz:
-        return export_extended_xyz(path, world.grains, world.cell);
-    case PackingFormat::LammpsData:
-        return export_lammps_data(path, world.grains, world.cell);
-    case PackingFormat::LammpsDump:
-        return export_lammps_dump(path, world);
-    case PackingFormat::Vtp:
-        return export_vtp(path, world);
-    }
+    row_of(format).write(path, world);
 }
 
 void export_csv(const std::filesystem::path& path, const grains::Grains& grains) {

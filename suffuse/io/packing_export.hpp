@@ -24,6 +24,9 @@ std::optional<PackingFormat> packing_format_of_name(std::string_view name);
 /// The format that a file's ending shows: .csv, .txt (Yade), .xyz, .extxyz, .data, .lmp, .dump, .lammpstrj, .vtp.
 std::optional<PackingFormat> packing_format_of_file(const std::filesystem::path& path);
 
+/// Whether a file of that format needs the cell.
+bool needs_cell(PackingFormat format);
+
 /// Writes the grains of `world` in its order. @throws IoError; CaseError where the format cannot hold the cell.
 void export_packing(const std::filesystem::path& path, const dem::World& world, PackingFormat format);
 

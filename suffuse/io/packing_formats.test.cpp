@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <algorithm>
 #include <bit>
@@ -160,8 +161,10 @@ TEST(PackingFormats, AFileEndingDeterminesTheFormatAndEachNameHasOne) {
     EXPECT_EQ(packing_format_of_file("a/b.lammpstrj"), PackingFormat::LammpsDump);
     EXPECT_EQ(packing_format_of_file("a.txt"), PackingFormat::Yade);
     EXPECT_EQ(packing_format_of_file("a.pdf"), std::nullopt);
+    const std::string page = test::read_all(test::in_checkout("docs/formats.md"));
     for (const std::string& name : packing_format_names()) {
         EXPECT_TRUE(packing_format_of_name(name).has_value()) << name;
+        EXPECT_NE(page.find("\n| `" + name + "` | "), std::string::npos) << name << " has no row in docs/formats.md";
     }
 }
 
