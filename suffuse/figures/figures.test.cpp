@@ -112,37 +112,11 @@ TEST(Figures, ClaimsSayWhatTheRunFound) {
     EXPECT_EQ(stress_path(erosion)->claim, "") << "would show only rounding";
 }
 
-TEST(Figures, TheSampleRunHasTheFiguresOfThePaperAndOurs) {
-    std::vector<std::string> ids;
+TEST(Figures, HaveIdsOfTheirOwn) {
+    std::set<std::string> ids;
     for (const Figure& figure : test::sample_figures()) {
-        ids.push_back(figure.id);
+        EXPECT_TRUE(ids.insert(figure.id).second) << figure.id;
     }
-    EXPECT_EQ(
-        ids, (std::vector<std::string>{
-                 "fig01",
-                 "fig02",
-                 "fig03",
-                 "fig04",
-                 "fig05",
-                 "fig06",
-                 "own-paths",
-                 "fig08",
-                 "fig07",
-                 "fig09",
-                 "fig10",
-                 "fig11",
-                 "fig12",
-                 "fig13",
-                 "fig14",
-                 "own-rules",
-                 "own-twin",
-                 "own-constrictions",
-                 "own-eroded-grading",
-                 "own-permeability",
-                 "own-throat-flux",
-                 "own-flux-shares",
-                 "own-triaxial"})
-    );
 }
 
 TEST(Figures, ConstrictionsAreReportedForEachWayOfMergingVoids) {

@@ -232,9 +232,7 @@ inline std::vector<figures::Figure> sample_figures() {
           triaxial_response(
               {sample_response("before erosion", 3.2e5, 0.06), sample_response("after pass 2", 2.5e5, 0.02)}
           )}) {
-        if (figure) {
-            drawn.push_back(*std::move(figure));
-        }
+        drawn.push_back(std::move(figure).value());
     }
     return drawn;
 }
