@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "tests/support/reference.hpp"
+#include "tests/support/temp_folder.hpp"
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::stability {
@@ -44,8 +47,11 @@ TEST(Assess, APublishedSandyGravelByHand) {
     EXPECT_NEAR(*of(assessment, "burenkova-1993").limit, 1.8876, 1e-4);
     EXPECT_NEAR(*of(assessment, "wan-fell-logistic").value, 0.6122, 2e-4); // Z = 0.4566
     EXPECT_NEAR(*of(assessment, "chang-zhang-2013").value, 0.7548, 1e-4);  // nothing finer than 0.063 mm
-    EXPECT_EQ(count_verdicts(assessment.criteria).unstable, 7);
-    EXPECT_EQ(count_verdicts(assessment.criteria).stable, 0);
+    for (const char* id :
+         {"kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008", "kezdi-1979", "burenkova-1993", "wan-fell-logistic",
+          "chang-zhang-2013"}) {
+        EXPECT_EQ(of(assessment, id).verdict, Verdict::Unstable) << id;
+    }
 }
 
 TEST(Assess, APublishedUniformSandByHand) {
@@ -66,8 +72,10 @@ TEST(Assess, APublishedUniformSandByHand) {
     EXPECT_NEAR(*of(assessment, "burenkova-1993").value, 1.2967, 1e-4);
     EXPECT_NEAR(*of(assessment, "burenkova-1993").limit, 1.2001, 1e-4);
     EXPECT_NEAR(*of(assessment, "burenkova-1993").upper, 1.4897, 1e-4);
-    EXPECT_EQ(count_verdicts(assessment.criteria).unstable, 0);
-    EXPECT_EQ(count_verdicts(assessment.criteria).stable, 6);
+    for (const char* id :
+         {"kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008", "kezdi-1979", "burenkova-1993", "chang-zhang-2013"}) {
+        EXPECT_EQ(of(assessment, id).verdict, Verdict::Stable) << id;
+    }
     EXPECT_EQ(of(assessment, "wan-fell-logistic").verdict, Verdict::CannotSay);
     EXPECT_FALSE(assessment.gap);
     EXPECT_FALSE(assessment.fines);
@@ -88,8 +96,12 @@ TEST(Assess, CriteriaDisagreeOnTwoBoxesOnPurpose) {
 TEST(Assess, UnverifiedCriteriaStayOutOfTheSummary) {
     const Assessment assessment = assess(two_boxes(0.25));
     const Tally tally = count_verdicts(assessment.criteria);
-    EXPECT_EQ(tally.unverified, 3);
-    EXPECT_EQ(tally.stable + tally.transition + tally.unstable + tally.cannot_say + tally.unverified, 10);
+    EXPECT_EQ(tally.unverified, std::ranges::count(assessment.criteria, false, &Criterion::verified));
+    EXPECT_GE(tally.unverified, 3);
+    EXPECT_EQ(
+        tally.stable + tally.transition + tally.unstable + tally.cannot_say + tally.unverified,
+        std::ssize(assessment.criteria)
+    );
     EXPECT_EQ(summary(assessment.criteria).find("Sherard"), std::string::npos);
     EXPECT_NE(summary(assessment.criteria).find("Kezdi 1979"), std::string::npos);
 }
@@ -202,6 +214,18 @@ TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
     EXPECT_NE(both.find("1986"), std::string::npos);
     for (const char* word : {"1986", "kenn", "", "-"}) {
         EXPECT_FALSE(explain_criterion(word)) << word;
+    }
+}
+
+TEST(Assess, EveryCriterionIsInTheDocumentation) {
+    const auto page = [](const char* path) { return test::read_all(test::in_checkout(path)); };
+    const std::string formats = page("docs/formats.md"), theory = page("docs/theory/internal-stability.md"),
+                      references = page("docs/references.bib");
+    for (const std::string& id : criterion_ids()) {
+        const std::string source = define(id).source;
+        EXPECT_NE(formats.find("`" + id + "`"), std::string::npos) << id;
+        EXPECT_NE(theory.find("[" + source), std::string::npos) << id << ": " << source;
+        EXPECT_NE(references.find("{" + source + ","), std::string::npos) << id << ": " << source;
     }
 }
 
