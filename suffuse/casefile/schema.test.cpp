@@ -12,6 +12,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace {
 
@@ -113,6 +114,12 @@ TEST(Schema, ThePageHasEveryKey) {
         EXPECT_NE(page.find("| `" + key.name + "` |"), std::string::npos) << key.name;
         EXPECT_EQ(key.text.find('|'), std::string::npos) << "would break the table";
     }
+}
+
+TEST(Schema, ThePageOfKeysIsTheOneThatTheProgramPrints) {
+    std::ostringstream page;
+    page << std::ifstream(test::in_checkout("docs/case-reference.md")).rdbuf();
+    EXPECT_EQ(page.str(), schema_markdown()) << "suffuse schema > docs/case-reference.md";
 }
 
 TEST(Explain, KnowsKeysCodesAndConventions) {
