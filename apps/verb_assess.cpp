@@ -6,6 +6,7 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/grains/modeled_part.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/job/assessed_soil.hpp"
@@ -19,6 +20,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
+#include "apps/own_soil.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/stability_pages.hpp"
 #include "apps/typed_value.hpp"
@@ -101,15 +103,22 @@ struct AssessVerb final : Verb {
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 
     /// What to type then.
-    [[nodiscard]] std::string next_step(std::size_t soils) const {
-        if (soils > 1) {
+    [[nodiscard]] std::string next_step(const std::vector<job::AssessedSoil>& soils) const {
+        if (soils.size() > 1) {
             return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
                                   : "suffuse assess FILE shows one of them in full";
         }
+        const bool has_case = files.front().ends_with(".toml") || is_folder(files.front());
+        const stability::Assessment& found = soils.front().assessment;
+        const bool is_too_wide =
+            !has_case && found.fines &&
+            grains::representative_count(found.grading, found.fines->finer_than) > most_quick_grains;
         return fmt::format(
-            "to find how many grains are free to move, simulate: suffuse {} {}{}",
-            files.front().ends_with(".toml") || is_folder(files.front()) ? "run" : "new --psd",
-            shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample)
+            "{}: suffuse {} {}{}{}",
+            is_too_wide ? "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines"
+                        : "to find how many grains are free to move, simulate",
+            has_case ? "run" : "new --psd", shell_word(case_of_run(files.front())),
+            sample.empty() ? "" : " --sample " + shell_word(sample), is_too_wide ? " --surrogate" : ""
         );
     }
 };
@@ -313,7 +322,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         text += "\n" + document["page"].get<std::string>();
     }
     console.result(text);
-    console.talk(next_step(soils.size()));
+    console.talk(next_step(soils));
     console.document(json_text(document));
     return Done;
 }

@@ -261,17 +261,23 @@ struct OwnCurve {
     std::string folder; ///< empty: that of the soil's name
 };
 
-/// Writes the case and its grading. @return what the case costs
-plan::RunPlan write_own_case(
-    const OwnCurve& curve, const std::string& soil, const std::string& case_text, const fs::path& folder,
-    std::vector<std::string>& written, const Console& console
-) {
-    written = write_new(
-        {{folder / "case.toml", case_text},
-         {folder / "data" / (soil + ".csv"), own_grading_text(curve.grading, curve.path)}}
+/// A case that was written, and what it costs.
+struct WrittenCase {
+    fs::path folder;
+    std::vector<std::string> files;
+    plan::RunPlan plan;
+};
+
+WrittenCase
+write_own_case(const OwnCurve& curve, const std::string& soil, const std::string& case_text, const Console& console) {
+    WrittenCase written{curve.folder.empty() ? soil : curve.folder, {}, {}};
+    written.files = write_new(
+        {{written.folder / "case.toml", case_text},
+         {written.folder / "data" / (soil + ".csv"), own_grading_text(curve.grading, curve.path)}}
     );
-    console.result(fmt::format("{}", fmt::join(written, "\n")));
-    return price_of(folder / "case.toml");
+    console.result(fmt::format("{}", fmt::join(written.files, "\n")));
+    written.plan = price_of(written.folder / "case.toml");
+    return written;
 }
 
 int new_surrogate(
@@ -282,33 +288,30 @@ int new_surrogate(
     const OwnSurrogate own = model_surrogate(curve.grading, curve.name, limit, most);
     const grains::Surrogate& surrogate = *own.soil.surrogate;
     const std::vector<std::string> left_out = answer::left_out_of(own.soil, own.ratios.back());
-    const fs::path folder = curve.folder.empty() ? own.name : curve.folder;
-    std::vector<std::string> written;
-    const plan::RunPlan plan =
-        write_own_case(curve, own.name, own_case_text(own, conditions), folder, written, console);
-    nlohmann::json document = {
-        {"written", written},
-        {"finer_than", surrogate.finer_than},
-        {"fines_content", own.soil.fines_content},
-        {"reason", own.reason},
-        {"size_ratio", surrogate.ratio_of_soil},
-        {"size_ratios", own.ratios},
-        {"extrapolated", own.is_extrapolated()},
-        {"left_out", left_out},
-        {"pressure", conditions.pressure.value_or(assumed_pressure)},
-        {"gradient", conditions.gradient ? nlohmann::json(*conditions.gradient) : nlohmann::json()},
-        {"steps", {plan.steps.least, plan.steps.most}},
-        {"seconds", {plan.seconds.least, plan.seconds.most}}};
-    console.document(json_text(document));
+    const WrittenCase written = write_own_case(curve, own.name, own_case_text(own, conditions), console);
+    const plan::RunPlan& plan = written.plan;
+    console.document(json_text(
+        {{"written", written.files},
+         {"finer_than", surrogate.finer_than},
+         {"fines_content", own.soil.fines_content},
+         {"reason", own.reason},
+         {"size_ratio", surrogate.ratio_of_soil},
+         {"size_ratios", own.ratios},
+         {"extrapolated", own.is_extrapolated()},
+         {"left_out", left_out},
+         {"pressure", conditions.pressure.value_or(assumed_pressure)},
+         {"gradient", conditions.gradient ? nlohmann::json(*conditions.gradient) : nlohmann::json()},
+         {"steps", {plan.steps.least, plan.steps.most}},
+         {"seconds", {plan.seconds.least, plan.seconds.most}}}
+    ));
     console.talk(fmt::format(
         "split at {:.4g} mm ({}): {:.3g} % of the mass are fines, size ratio D50/d50 = {:.3g}",
         1e3 * surrogate.finer_than, own.reason, 100 * own.soil.fines_content, surrogate.ratio_of_soil
     ));
     if (own.is_extrapolated()) {
         console.talk(fmt::format(
-            "this ratio is out of reach: simulated are {:g} ({} grains at the last); the soil's own gradients are then "
-            "an "
-            "extrapolation",
+            "this ratio is out of reach: {:g} are simulated ({} grains at the last), and the soil's own gradients are "
+            "an extrapolation",
             fmt::join(own.ratios, ", "), count_text(own.grains)
         ));
     }
@@ -317,7 +320,7 @@ int new_surrogate(
         console.talk("  " + sentence);
     }
     console.talk(fmt::format("in the preset quick: {} on this machine", duration_range_text(plan.seconds)));
-    print_next_steps(folder, console);
+    print_next_steps(written.folder, console);
     return Done;
 }
 
@@ -335,12 +338,10 @@ int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
     }
     const OwnSoil soil = model_own_soil(curve.grading, curve.name, {sizes_of(verb.sizes), limit, verb.particles});
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
-    const fs::path folder = curve.folder.empty() ? soil.name : curve.folder;
-    std::vector<std::string> written;
-    const plan::RunPlan plan =
-        write_own_case(curve, soil.name, own_case_text(soil, conditions), folder, written, console);
+    const WrittenCase written = write_own_case(curve, soil.name, own_case_text(soil, conditions), console);
+    const plan::RunPlan& plan = written.plan;
     console.document(json_text(
-        {{"written", written},
+        {{"written", written.files},
          {"finer_than", soil.finer_than},
          {"fines_content", soil.fines_content},
          {"reason", soil.reason},
@@ -364,8 +365,8 @@ int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
         "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains),
         duration_range_text(plan.seconds)
     ));
-    print_assumed(conditions, folder / "case.toml", console);
-    print_next_steps(folder, console);
+    print_assumed(conditions, written.folder / "case.toml", console);
+    print_next_steps(written.folder, console);
     return Done;
 }
 

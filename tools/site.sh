@@ -5,10 +5,11 @@
 set -eu
 root=$(dirname "$(dirname "$(readlink -f "$0")")")
 offline=no
-if [ "${1:-}" = --offline ]; then
-    offline=yes
-    shift
-fi
+case ${1:-} in
+--offline) offline=yes && shift ;;
+-h | --help) sed -n '2,4s/^# //p' "$0" && exit 0 ;;
+-*) sed -n '2,4s/^# //p' "$0" >&2 && exit 2 ;;
+esac
 # shellcheck source=tools/bootstrap.sh
 . "$root/tools/bootstrap.sh"
 out=${1:-$root/build/site}

@@ -12,7 +12,7 @@
 namespace suffuse::answer {
 
 /// Above this size ratio single fines fall through the skeleton by their own weight, as the trials found
-/// (validation/surrogate.md).
+/// (docs/theory/surrogates.md).
 inline constexpr double sifting_ratio = 6.5;
 
 /// What differs from the soil, a sentence each. @param soil of a surrogate

@@ -2,7 +2,7 @@
 // A soil too wide to simulate, as two fractions of nearly equal grains that have its size ratio and its fines content.
 // Which gradient moves fines depends on no length: seepage force and weight both act per volume, and slow flow has no
 // scale. It depends on the ratio D50/d50 of the coarse part and the fines, on their content, and on the density
-// (validation/surrogate.md: how well).
+// (docs/theory/surrogates.md: how well).
 
 #include "suffuse/grains/soil.hpp"
 

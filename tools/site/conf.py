@@ -18,6 +18,8 @@ html_theme_options = {
     "sidebar_width": "260px",
 }
 html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_static_path = ["site.css"]
+html_css_files = ["site.css"]
 html_show_sourcelink = False
 html_copy_source = False
 

@@ -44,6 +44,9 @@ function scales() {
   };
 }
 
+/** A curve that was pasted or dragged is another soil than the file's. */
+const shownName = (soil) => soil.name + (soil.isEdited ? " (edited)" : "");
+
 function drawChart() {
   const s = scales(), parts = [];
   const { width, height, left, right, bottom } = plot;
@@ -67,10 +70,13 @@ function drawChart() {
   }
   parts.push(`<text class="s" x="2" y="12">finer than, by mass</text>`);
   parts.push(`<path class="ax" d="M${left} ${height - bottom}H${width - right}"/><text class="e s" x="${width - right}" y="${height - 6}">grain diameter in mm</text>`);
-  state.soils.forEach((soil, k) => {
-    if (k === state.which) return;
-    parts.push(`<path class="ln other" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"/>`);
+  const others = state.soils.map((soil, k) => ({ soil, k })).filter(({ k }) => k !== state.which);
+  const colors = others.length <= 5 ? ["k1", "k2", "k3", "k4", "k5"] : []; // of more, one color that names none
+  others.forEach(({ soil }, row) => {
+    parts.push(`<path class="ln other ${colors[row] ?? ""}" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"><title>${escaped(soil.name)}</title></path>`);
   });
+  $("legend").innerHTML = others.length && colors.length ? [`<b class="mine">— ${escaped(shownName(here()))}</b>`,
+    ...others.map(({ soil, k }, row) => `<a href="#soil" class="${colors[row]}" data-soil="${k}">— ${escaped(soil.name)}</a>`)].join(" ") : "";
   const soil = here();
   parts.push(`<path class="ln mine" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"/>`);
   soil.d.forEach((d, j) => parts.push(
@@ -153,7 +159,8 @@ function draw(keepText) {
   const criteria = Criteria.assess(here());
   const found = Criteria.gradients(state, criteria);
   $("verdict").innerHTML = words(criteria, found).map((w) => `<span>${w}</span>`).join("");
-  $("name").textContent = here().name;
+  $("name").textContent = shownName(here());
+  document.title = `Internal stability of ${shownName(here())}`;
   drawChart();
   $("criteria").innerHTML = rowsOf(criteria);
   drawFilter();
@@ -201,6 +208,7 @@ function takeText() {
     const points = readPoints($("points").value);
     here().d = points.map((p) => p.d);
     here().f = points.map((p) => p.f);
+    here().isEdited = true;
     $("complaint").textContent = "";
     draw(true);
   } catch (error) {
@@ -210,6 +218,7 @@ function takeText() {
 
 function move(point, x, y) {
   const soil = here(), s = scales(), n = soil.d.length;
+  soil.isEdited = true;
   const low = point > 0 ? soil.f[point - 1] : 0, high = point + 1 < n ? soil.f[point + 1] : 1;
   soil.f[point] = Math.min(high, Math.max(low, Math.round(1000 * s.f(y)) / 1000));
   const least = point > 0 ? soil.d[point - 1] * 1.01 : 0, most = point + 1 < n ? soil.d[point + 1] / 1.01 : Infinity;
@@ -256,13 +265,16 @@ function connect() {
     const given = pageData.soils[state.which];
     here().d = [...given.d];
     here().f = [...given.f];
+    here().isEdited = false;
     $("complaint").textContent = "";
     draw();
   });
-  $("matrix").addEventListener("click", (event) => {
-    const soil = event.target.dataset?.soil;
-    if (soil !== undefined) { state.which = Number(soil); $("which").value = soil; draw(); }
-  });
+  for (const place of ["matrix", "legend"]) {
+    $(place).addEventListener("click", (event) => {
+      const soil = event.target.dataset?.soil;
+      if (soil !== undefined) { state.which = Number(soil); $("which").value = soil; draw(); }
+    });
+  }
   window.addEventListener("resize", drawChart);
 }
 

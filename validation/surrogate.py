@@ -1,0 +1,123 @@
+#!/usr/bin/python3
+"""Soils that can be simulated whole, and their surrogates: surrogate.toml for each soil, density and seed.
+
+Both parts of a soil are log-uniform. Rows that are in surrogate.csv are not computed again. The last soils have no gap."""
+
+import math
+import statistics
+import sys
+
+import common
+
+# name: ratio D50/d50, widths of the coarse part and of the fines (largest over smallest), fines content [%], density
+SOILS = {
+    "a": (3.5, 2.0, 2.0, 20, "dense"),
+    "b": (3.5, 1.5, 3.0, 30, "loose"),
+    "c": (4.5, 2.0, 2.0, 10, "loose"),
+    "d": (4.5, 3.0, 1.5, 20, "dense"),
+    "e": (5.5, 2.0, 2.0, 15, "loose"),
+    "f": (5.5, 2.5, 2.5, 25, "dense"),
+    "g": (6.5, 1.5, 1.5, 10, "dense"),
+    "h": (6.5, 2.5, 2.0, 20, "loose"),
+    "i": (4.0, 4.0, 4.0, 25, "dense"),  # coarse and fines meet: no gap
+    "j": (3.0, 3.0, 3.0, 20, "loose"),  # likewise
+}
+SEEDS = [1, 2, 3]
+FRICTION = {"dense": "10 deg", "loose": "37 deg"}  # while compacted; the grains have 37 deg
+NAN = math.nan
+
+
+def sizes_of(ratio, coarse_width, fines_width):
+    """The four ends of the two parts [mm], the median of the coarse one at 1 mm."""
+    half_coarse, half_fines = math.sqrt(coarse_width), math.sqrt(fines_width)
+    return [1 / ratio / half_fines, 1 / ratio * half_fines, 1 / half_coarse, half_coarse]
+
+
+def mm(sizes):
+    return [f"{size:.6g} mm" for size in sizes]
+
+
+def changes_of(name, seed):
+    ratio, coarse_width, fines_width, content, density = SOILS[name]
+    sizes, share = sizes_of(ratio, coarse_width, fines_width), f"{content} %"
+    changes = {
+        "seed": seed,
+        "soil.whole.coarse.psd": {"d": mm(sizes[2:]), "passing": ["0 %", "100 %"]},
+        "soil.whole.fines.psd": {"d": mm(sizes[:2]), "passing": ["0 %", "100 %"]},
+        "soil.whole.fines_content": share,
+    }
+    if sizes[2] > 1.0001 * sizes[1]:
+        changes["soil.stand-in.psd"] = {"d": mm(sizes), "passing": ["0 %", share, share, "100 %"]}
+    else:
+        changes["soil.stand-in.psd"] = {"d": mm([sizes[0], sizes[1], sizes[3]]), "passing": ["0 %", share, "100 %"]}
+    changes["soil.stand-in.surrogate.finer_than"] = f"{math.sqrt(sizes[1] * sizes[2]):.6g} mm"
+    for study in ("whole", "stand-in"):
+        changes[f"study.{study}.stage.initial.prepare.friction"] = FRICTION[density]
+    return changes
+
+
+def row_of(stage):
+    gradients = stage["critical_gradient"]
+    return {
+        "grains": stage["grains"],
+        "porosity": stage["porosity"],
+        "alpha": stage["alpha_fines"],
+        "i_c": stage["heave_gradient"],
+        "i1": NAN if gradients["1 %"] is None else gradients["1 %"],
+        "i10": NAN if gradients["10 %"] is None else gradients["10 %"],
+        "single": stage["single_grain_gradient"],
+        "sifting": stage["sifting_mass_share"],
+    }
+
+
+def make(given, samples, name, seed):
+    if samples.of(soil=name, seed=float(seed)):
+        return
+    run = common.conduct(given, "surrogate", [], changes_of(name, seed), folder=f"surrogate/{name}-{seed}")
+    for model in ("whole", "stand-in"):
+        row = row_of(run[f"{model}/up"])
+        samples.add(soil=name, seed=float(seed), model=model, **row)
+        print(name, seed, model, *(f"{key} {value:.3g}" for key, value in row.items()), file=sys.stderr, flush=True)
+
+
+def mean_of(rows, column):
+    values = [row[column] for row in rows if math.isfinite(row[column])]
+    return (statistics.fmean(values), statistics.stdev(values) if len(values) > 1 else 0.0) if values else (NAN, 0.0)
+
+
+def text(pair):
+    return "–" if math.isnan(pair[0]) else f"{pair[0]:.2f} ± {pair[1]:.2f}"
+
+
+def main():
+    given = common.options(__doc__)
+    samples = common.Samples(given, "surrogate")
+    for seed in [1] if given.quick else SEEDS:
+        for name in "g" if given.quick else SOILS:
+            make(given, samples, name, seed)
+    print("soil ratio widths   fines density  i1 whole, surrogate        i10 whole, surrogate       alpha whole, surrogate     1.07 x single")
+    off = {"i1": [], "i10": [], "single": []}
+    for name, (ratio, coarse_width, fines_width, content, density) in SOILS.items():
+        whole, model = (samples.of(soil=name, model=model) for model in ("whole", "stand-in"))
+        if not (whole and model):
+            continue
+        pairs = {key: (mean_of(whole, key), mean_of(model, key)) for key in ("i1", "i10", "alpha")}
+        single = mean_of(whole, "single")
+        for key in ("i1", "i10"):
+            off[key].append(pairs[key][1][0] / pairs[key][0][0] - 1)
+        off["single"].append(1.07 * single[0] / pairs["i1"][0][0] - 1)
+        print(
+            f"{name:4} {ratio:5.1f} {coarse_width:.1f}, {fines_width:.1f}  {content:3} %  {density:7}",
+            *(f"{text(a)}, {text(b)}" for a, b in pairs.values()), f"{1.07 * single[0]:.2f}", sep="  ",
+        )
+    verdict = common.Verdict()
+    for key, what in (("i1", "surrogates' i1"), ("i10", "surrogates' i10"), ("single", "1.07 x single-grain gradient, of i1")):
+        known = [value for value in off[key] if math.isfinite(value)]
+        if known:
+            rms = math.sqrt(statistics.fmean(value**2 for value in known))
+            print(f"{what}: bias {100 * statistics.fmean(known):+.0f} %, rms {100 * rms:.0f} % of {len(known)} soils")
+            verdict.at_most(f"{what}: rms", rms, 0.3)
+    verdict.end()
+
+
+main()
