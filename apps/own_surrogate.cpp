@@ -80,6 +80,7 @@ std::vector<double> simulated_ratios(double of_soil, double content, double most
     const double reach = std::cbrt((most / surrogate_coarse_grains - 1) * (1 - content) / content);
     const double largest = to_half(std::min(reach, tried));
     std::vector<double> ratios;
+    ratios.reserve(steps.size() + 1);
     for (const double step : steps) {
         ratios.push_back(std::max(to_half(step * largest), to_half(grains::least_size_ratio) + 0.5));
     }

@@ -156,6 +156,7 @@ std::string estimates_of(const MobilityStory& story) {
         return "";
     }
     std::vector<std::string> texts;
+    texts.reserve(estimates.size());
     for (const Estimate& estimate : estimates) {
         texts.push_back(fmt::format("{:.2f} ({})", estimate.gradient, estimate.by));
     }

@@ -64,12 +64,22 @@ std::vector<const MobilityStory*> stories_by_ratio(const std::vector<MobilitySto
     return found;
 }
 
+std::string ratios_of(const std::vector<const MobilityStory*>& stories) {
+    std::vector<std::string> texts;
+    texts.reserve(stories.size());
+    for (const MobilityStory* const story : stories) {
+        texts.push_back(short_number(story->surrogate()->size_ratio));
+    }
+    return listed(texts);
+}
+
 /// "0.40, 0.30 and 0.22", with "more than 1.2" where the ramp ends before.
 std::string gradients_by_ratio(
     const std::vector<const MobilityStory*>& stories, study::Scatter MobilityStory::*gradient,
     bool MobilityStory::*at_most
 ) {
     std::vector<std::string> texts;
+    texts.reserve(stories.size());
     for (const MobilityStory* const story : stories) {
         const study::Scatter& found = story->*gradient;
         texts.push_back(
@@ -117,15 +127,11 @@ std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stor
     if (by_ratio.size() < 2) {
         return {};
     }
-    std::vector<std::string> ratios;
-    for (const MobilityStory* const story : by_ratio) {
-        ratios.push_back(short_number(story->surrogate()->size_ratio));
-    }
     const MobilityStory& last = *by_ratio.back();
     std::vector<std::string> lines = {
         fmt::format(
             "{} moves 1 % of the fines at i = {} at size ratios of {}.", subject_of(last),
-            gradients_by_ratio(by_ratio, &MobilityStory::moves_1, &MobilityStory::at_most_1), listed(ratios)
+            gradients_by_ratio(by_ratio, &MobilityStory::moves_1, &MobilityStory::at_most_1), ratios_of(by_ratio)
         ),
         fmt::format(
             "It moves a tenth at {}.",
@@ -148,10 +154,6 @@ std::optional<figures::PageTable> tabulate_surrogate(const std::vector<MobilityS
     }
     const grains::Soil& soil = soil_of(*by_ratio.back());
     const grains::Surrogate& surrogate = *soil.surrogate;
-    std::vector<std::string> ratios;
-    for (const MobilityStory* const story : by_ratio) {
-        ratios.push_back(short_number(story->surrogate()->size_ratio));
-    }
     const auto [coarse, fines] = widths_of(soil);
     const std::string content = percent_text(soil.fines_content), equal = width_text(width_between(*soil.coarse, 0, 1));
     figures::PageTable table;
@@ -166,7 +168,7 @@ std::optional<figures::PageTable> tabulate_surrogate(const std::vector<MobilityS
     table.rows = {
         {"split [mm]", short_number(1e3 * surrogate.finer_than), "–"},
         {"fines content by mass", content, content},
-        {"size ratio D50/d50 [-]", short_number(surrogate.ratio_of_soil), listed(ratios)},
+        {"size ratio D50/d50 [-]", short_number(surrogate.ratio_of_soil), ratios_of(by_ratio)},
         {"D50 of the coarse part [mm]",
          short_number(1e3 * grains::size_at(*soil.measured, (1 + soil.fines_content) / 2)),
          short_number(1e3 * grains::size_at(*soil.coarse, 0.5))},
