@@ -152,7 +152,7 @@ void doubt_stress(const MobilityStory& story, std::vector<Doubt>& doubts) {
 
 std::string estimates_of(const MobilityStory& story) {
     const std::vector<Estimate> estimates = all_estimates(story);
-    if (estimates.empty()) {
+    if (estimates.size() < 2) {
         return "";
     }
     std::vector<std::string> texts;
@@ -164,12 +164,10 @@ std::string estimates_of(const MobilityStory& story) {
     if (story.specified_gradient && *story.specified_gradient > 0) {
         const auto [least, most] = std::ranges::minmax_element(estimates, {}, &Estimate::gradient);
         const double specified = *story.specified_gradient;
-        text += estimates.size() == 1
-                    ? fmt::format(" Over the specified {:g}: {:.1f}.", specified, least->gradient / specified)
-                    : fmt::format(
-                          " Over the specified {:g}: {:.1f} ({}) to {:.1f} ({}).", specified,
-                          least->gradient / specified, least->by, most->gradient / specified, most->by
-                      );
+        text += fmt::format(
+            " Over the specified {:g}: {:.1f} ({}) to {:.1f} ({}).", specified, least->gradient / specified, least->by,
+            most->gradient / specified, most->by
+        );
     }
     return text;
 }

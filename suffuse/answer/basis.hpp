@@ -9,7 +9,8 @@
 
 namespace suffuse::answer {
 
-/// "Estimates of the gradient that moves 1 %: 0.14 (...), 0.22 (...), 0.20 (simulated). Against the specified 0.3 ...".
+/// "Estimates of the gradient that moves 1 %: 0.14 (...), 0.22 (...), 0.20 (simulated). Over the specified 0.3: ...";
+/// empty where there is one alone, which the verdict has.
 std::string estimates_of(const study::MobilityStory& story);
 
 /// At most three sentences, the largest doubt first: a part or a surrogate of the soil, a narrow cell, fines that were
