@@ -3,6 +3,7 @@
 #include "suffuse/base/parallel.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -146,6 +147,15 @@ NewRows merge(
     return rows;
 }
 
+/// The table of these rows, whose memory `sources` has.
+Contacts table_of(NewRows rows, Contacts sources) {
+    const OptionalMemory optional = optional_memory(sources);
+    std::vector<NewRows> one_run;
+    one_run.push_back(std::move(rows));
+    Runs(std::move(one_run)).put_into(sources, sources, optional);
+    return sources;
+}
+
 } // namespace
 
 template <class Real>
@@ -187,6 +197,50 @@ Contacts touching_rows(const Contacts& contacts) {
     return table;
 }
 
+Contacts chosen_rows(const Contacts& contacts, std::span<const std::uint8_t> chosen) {
+    NewRows rows;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        if (chosen[c] != 0) {
+            rows.append(pair_of(contacts, c), {static_cast<std::uint32_t>(c), 1});
+        }
+    }
+    return table_of(std::move(rows), contacts);
+}
+
+Contacts joined(const Contacts& some, const Contacts& others) {
+    Contacts all = some;
+    const std::size_t rows = some.size() + others.size();
+    const auto extend = [&](auto& column, const auto& more, bool is_there = true) {
+        column.resize(is_there ? some.size() : 0);
+        column.insert(column.end(), more.begin(), more.end());
+        column.resize(is_there ? rows : 0);
+    };
+    const auto extend_vectors = [&](VectorColumn& column, const VectorColumn& more, bool is_there = true) {
+        extend(column.x, more.x, is_there);
+        extend(column.y, more.y, is_there);
+        extend(column.z, more.z, is_there);
+    };
+    const OptionalMemory a = optional_memory(some), b = optional_memory(others);
+    extend(all.first, others.first);
+    extend(all.second, others.second);
+    extend(all.image, others.image);
+    extend(all.overlap, others.overlap);
+    extend_vectors(all.shear_force, others.shear_force);
+    extend_vectors(all.bending, others.bending);
+    extend_vectors(all.normal, others.normal);
+    extend_vectors(all.twisting, others.twisting, a.twisting || b.twisting);
+    extend(all.bonded, others.bonded, a.bonds || b.bonds);
+    std::vector<std::uint32_t> order(rows);
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, [&](std::uint32_t c, std::uint32_t d) { return pair_of(all, c) < pair_of(all, d); });
+    NewRows sorted;
+    sorted.reserve(rows);
+    for (const std::uint32_t c : order) {
+        sorted.append(pair_of(all, c), {c, 1});
+    }
+    return table_of(std::move(sorted), std::move(all));
+}
+
 Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new_row) {
     struct Row {
         neighbors::Pair pair;
@@ -213,11 +267,7 @@ Contacts renumbered(const Contacts& contacts, std::span<const std::uint32_t> new
     for (const Row& row : sorted) {
         rows.append(row.pair, row.source);
     }
-    Contacts table = contacts;
-    std::vector<NewRows> one_run;
-    one_run.push_back(std::move(rows));
-    Runs(std::move(one_run)).put_into(table, table, optional_memory(contacts));
-    return table;
+    return table_of(std::move(rows), contacts);
 }
 
 } // namespace suffuse::contact

@@ -1,5 +1,6 @@
 #pragma once
-// Contact memory carried from one table to the next, by merging sorted lists or by renumbering grains.
+// Contact memory carried from one table to the next, by merging or parting sorted lists or by
+// renumbering grains.
 
 #include "suffuse/contact/contacts.hpp"
 #include "suffuse/neighbors/pair_list.hpp"
@@ -38,6 +39,12 @@ void carry_over(
 
 /// Only the pairs that touch: all that a saved state needs.
 Contacts touching_rows(const Contacts& contacts);
+
+/// The rows with a 1 in `chosen`, in their order.
+Contacts chosen_rows(const Contacts& contacts, std::span<const std::uint8_t> chosen);
+
+/// The rows of two tables that have no pair in common, sorted.
+Contacts joined(const Contacts& some, const Contacts& others);
 
 inline constexpr std::uint32_t removed_row = 0xffffffffU;
 

@@ -119,6 +119,33 @@ TEST(CarryOver, OfLongTablesGivesEveryPairItsOwnMemoryAgainAndAgain) {
     }
 }
 
+TEST(CarryOver, PartsATableAndJoinsItAgain) {
+    for (const bool is_bonded : {false, true}) {
+        Contacts whole = three_contacts();
+        whole.bonded.resize(is_bonded ? 3 : 0, 1);
+        const Contacts middle = chosen_rows(whole, std::vector<std::uint8_t>{0, 1, 0});
+        const Contacts ends = chosen_rows(whole, std::vector<std::uint8_t>{1, 0, 1});
+        EXPECT_EQ(middle.second, (std::vector<std::uint32_t>{2}));
+        EXPECT_EQ(ends.shear_force[1], (Vec3{3, 6, 0}));
+        const Contacts again = joined(ends, middle);
+        EXPECT_EQ(again.first, whole.first);
+        EXPECT_EQ(again.second, whole.second);
+        EXPECT_EQ(again.image, whole.image);
+        EXPECT_EQ(again.shear_force.y, whole.shear_force.y);
+        EXPECT_EQ(again.bending.z, whole.bending.z);
+        EXPECT_EQ(again.overlap, whole.overlap);
+        EXPECT_EQ(again.bonded, whole.bonded);
+    }
+}
+
+TEST(CarryOver, JoinsTablesOfWhichOneHasNoBonds) {
+    Contacts bonded;
+    add(bonded, {0, 3, {}}, 4);
+    bonded.bonded = {1};
+    EXPECT_EQ(joined(three_contacts(), bonded).bonded, (std::vector<std::uint8_t>{0, 0, 1, 0}));
+    EXPECT_EQ(joined(bonded, three_contacts()).bonded, (std::vector<std::uint8_t>{0, 0, 1, 0}));
+}
+
 TEST(Renumbering, TurnsSignsAroundWhereTheOrderOfTwoGrainsTurns) {
     const std::vector<std::uint32_t> new_row{2, 0, 1};
     const Contacts table = renumbered(three_contacts(), new_row);

@@ -147,12 +147,15 @@ void plan_far_rows(const ContactPairs& contacts, SumPlan& plan) {
 }
 
 /// Who is in a row of the table: a first grain, a second of the same domain, or one that its domain collects for.
-void plan_roster(const ContactPairs& contacts, SumPlan& plan) {
+void plan_roster(const ContactPairs& contacts, std::span<const std::uint8_t> always, SumPlan& plan) {
     plan.roster.resize(plan.grains);
     plan.awake_end.resize(plan.domains());
     for_each_domain(plan, [&](std::size_t d) {
         const std::size_t begin = d * domain_grains, end = std::min(plan.grains, begin + domain_grains);
         std::vector<std::uint8_t> awake(end - begin, 0);
+        if (!always.empty()) {
+            std::ranges::copy(always.subspan(begin, end - begin), awake.begin());
+        }
         for (std::size_t c = plan.domain_start[d]; c < plan.domain_start[d + 1]; ++c) {
             awake[contacts.first[c] - begin] = 1;
             if (plan.second_sum[c] < plan.grains) {
@@ -178,13 +181,13 @@ void plan_roster(const ContactPairs& contacts, SumPlan& plan) {
 
 } // namespace
 
-void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan) {
+void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan, std::span<const std::uint8_t> awake) {
     plan.grains = grains;
     plan_domains(contacts, plan);
     plan_images(contacts, plan);
     plan_remote_rows(contacts, plan);
     plan_far_rows(contacts, plan);
-    plan_roster(contacts, plan);
+    plan_roster(contacts, awake, plan);
 }
 
 } // namespace suffuse::contact

@@ -20,16 +20,16 @@ constexpr std::size_t cached_grains = 20'000;
 
 struct SumPlan {
     std::size_t grains = 0;
-    std::vector<std::uint32_t> domain_start;     ///< first contact row of each domain, and the end
-    std::vector<std::uint32_t> second_sum;       ///< for each contact, the row of the sums for its second grain's share
-    std::vector<std::uint32_t> remote;           ///< for each row of the sums beyond those of the grains, its grain: a
-                                                 ///< domain's follow each other, in the order in which it collects them
-    std::vector<std::uint32_t> remote_start;     ///< first of each domain's, and the end
-    std::vector<std::uint32_t> reach;            ///< the domains whose grains each domain's contacts reach, its own too
-    std::vector<std::uint32_t> reach_start;      ///< first of each domain's, and the end
-    std::vector<std::uint32_t> reached_by;       ///< for each domain, how many reach it
-    std::vector<std::uint32_t> roster;           ///< the grains of each domain, those of some row of the table first
-    std::vector<std::uint32_t> awake_end;        ///< for each domain, the end of those first ones
+    std::vector<std::uint32_t> domain_start; ///< first contact row of each domain, and the end
+    std::vector<std::uint32_t> second_sum;   ///< for each contact, the row of the sums for its second grain's share
+    std::vector<std::uint32_t> remote;       ///< for each row of the sums beyond those of the grains, its grain: a
+                                             ///< domain's follow each other, in the order in which it collects them
+    std::vector<std::uint32_t> remote_start; ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reach;        ///< the domains whose grains each domain's contacts reach, its own too
+    std::vector<std::uint32_t> reach_start;  ///< first of each domain's, and the end
+    std::vector<std::uint32_t> reached_by;   ///< for each domain, how many reach it
+    std::vector<std::uint32_t> roster;       ///< the grains of each domain, those awake first: of some row of the table
+    std::vector<std::uint32_t> awake_end;    ///< for each domain, the end of those first ones
     std::vector<std::vector<std::uint32_t>> far; ///< for each domain, its contacts whose second grain lies in the
                                                  ///< domain of another thread, as the threads are when the plan is
                                                  ///< made; empty where there are more than `cached_grains`
@@ -41,8 +41,10 @@ struct SumPlan {
     [[nodiscard]] std::size_t rows() const { return grains + remote.size(); } ///< of the sums
 };
 
-/// Makes the plan of a sorted table.
+/// Makes the plan of a sorted table. @param awake a 1 for each grain that is awake though it may be in no row; or empty
 /// @throws StateError where more than 65,535 different images occur: grains have drifted over that many periods.
-void plan_sums(const ContactPairs& contacts, std::size_t grains, SumPlan& plan);
+void plan_sums(
+    const ContactPairs& contacts, std::size_t grains, SumPlan& plan, std::span<const std::uint8_t> awake = {}
+);
 
 } // namespace suffuse::contact

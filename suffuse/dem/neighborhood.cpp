@@ -20,6 +20,7 @@ constexpr double first_allowance = 2e-3, least_allowance = 1e-4;
 constexpr double first_table_steps = 32, least_table_steps = 16, most_table_steps = 128; // a table is meant to last
 constexpr double table_cost = 1.5;  // of a table, per pair of the wide list, in pairs that the law looks at (measured)
 constexpr double foresight = 1.5;   // speeds change meanwhile
+constexpr double soon_out = 0.25;   // of what a grain may move until the list must be made anew: it is found with it
 constexpr std::size_t block = 1024; // grains that a thread takes at a time
 
 /// How much a branch of unit length can shrink or grow under the motion `f`.
@@ -93,6 +94,14 @@ contact::OptionalMemory needed_memory(const grains::Material& m, const contact::
     return {m.twisting_stiffness != 0, m.adhesion_normal > 0 || m.adhesion_shear > 0 || some_bond};
 }
 
+/// Whether few grains have moved out of the list of a cell `h`, so that their pairs alone are found anew. Large samples
+/// have no memory for a second list.
+bool can_search_again(const World& world, const Mat3& h, std::span<const std::uint8_t> strayed) {
+    constexpr std::size_t few = 4, large = 65'536;
+    const auto count = static_cast<std::size_t>(std::ranges::count(strayed, 1));
+    return world.cell.h == h && count < strayed.size() / few && strayed.size() < large;
+}
+
 /// Whether the memory has all that the material needs, and no more.
 template <class Real>
 bool suits(const contact::MemoryOf<Real>& memory, const grains::Material& material) {
@@ -105,7 +114,7 @@ bool Neighborhood::holds(const World& world, const contact::SingleMemory* single
     // A pair left out had |branch| > (1 + stretch) reach + both allowances. The mean motion shrinks the branch by the
     // strain at most; with strain <= stretch/(1 + stretch) and motions within (1 - stretch) allowance it stays above
     // the reach.
-    return valid_ && strain_of(h * inverse_h_) <= stretch_ / (1 + stretch_) &&
+    return valid_ && has_table_ && strain_of(h * inverse_h_) <= stretch_ / (1 + stretch_) &&
            (single != nullptr ? suits(*single, world.material) : suits(world.contacts, world.material));
 }
 
@@ -113,12 +122,18 @@ void Neighborhood::update(World& world, const MovingRows& rows, contact::SingleM
     const MeteredPhase phase("contact table");
     measure_grains(world);
     const std::vector<double> allowance = allow_motion(world, rows, dt);
-    if (!valid_ || !wide_list_reaches(world, rows, allowance)) {
+    const std::vector<std::uint8_t> strayed =
+        valid_ ? find_strayed(world, rows, allowance) : std::vector<std::uint8_t>();
+    if (!valid_ || !strayed.empty()) {
         const MeteredPhase searching("neighbor search");
-        search(world, rows, allowance);
+        if (valid_ && can_search_again(world, wide_h_, strayed)) {
+            search_again(world, rows, strayed);
+        } else {
+            search(world, rows, allowance);
+        }
     }
     make_table(world, rows, single, allowance);
-    valid_ = true;
+    valid_ = has_table_ = true;
     look_at_sleepers(world, rows);
 }
 
@@ -171,7 +186,7 @@ void Neighborhood::adapt(double lasted) {
 }
 
 std::vector<double> Neighborhood::allow_motion(const World& world, const MovingRows& rows, double dt) {
-    if (valid_) {
+    if (valid_ && has_table_) {
         adapt(static_cast<double>(world.clock.step - near_step_));
     }
     watch_.origin = domain_origins(rows);
@@ -191,15 +206,49 @@ std::vector<double> Neighborhood::allow_motion(const World& world, const MovingR
     return allowance;
 }
 
-bool Neighborhood::wide_list_reaches(const World& world, const MovingRows& rows, const std::vector<double>& allowance)
-    const {
+std::vector<std::uint8_t>
+Neighborhood::find_strayed(const World& world, const MovingRows& rows, const std::vector<double>& allowance) const {
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
-    const double moved = largest(rows.size(), block, [&](std::size_t g) {
-        const Vec3 place = position_of(wide_place_[g]);
-        return norm(xyz(rows[g].position) - motion * place) + rounding_of(place) + allowance[g];
+    const double reach = 0.5 * (wide_margin_ * (1 - strain) - 2 * (strain + stretch_) * largest_radius_);
+    std::vector<double> moved(rows.size());
+    parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t g = begin; g < end; ++g) {
+            const Vec3 place = position_of(wide_place_[g]);
+            moved[g] = norm(xyz(rows[g].position) - motion * place) + rounding_of(place) + allowance[g];
+        }
     });
-    return wide_margin_ * (1 - strain) > 2 * moved + 2 * (strain + stretch_) * largest_radius_;
+    if (largest(rows.size(), block, [&](std::size_t g) { return moved[g]; }) < reach) {
+        return {};
+    }
+    std::vector<std::uint8_t> strayed(rows.size());
+    std::ranges::transform(moved, strayed.begin(), [&](double m) { return m < soon_out * reach ? 0 : 1; });
+    return strayed;
+}
+
+void Neighborhood::search_again(const World& world, const MovingRows& rows, std::span<const std::uint8_t> strayed) {
+    std::vector<Vec3> position(rows.size());
+    for (std::size_t g = 0; g < rows.size(); ++g) {
+        if (strayed[g] != 0) {
+            wide_place_[g] = rounded(xyz(rows[g].position));
+        }
+        position[g] = xyz(rows[g].position);
+    }
+    const std::vector<neighbors::Pair> found =
+        neighbors::find_pairs_of(strayed, world.cell.h, std::move(position), world.grains.radius, wide_margin_);
+    std::vector<neighbors::Pair> pairs;
+    pairs.reserve(pairs_.size() + found.size());
+    auto next = found.begin();
+    pairs_.for_each_of(0, rows.size(), [&](std::size_t, const neighbors::Pair& pair) {
+        if (strayed[pair.first] == 0 && strayed[pair.second] == 0) {
+            for (; next != found.end() && *next < pair; ++next) {
+                pairs.push_back(*next);
+            }
+            pairs.push_back(pair);
+        }
+    });
+    pairs.insert(pairs.end(), next, found.end());
+    pairs_ = {pairs, rows.size()};
 }
 
 void Neighborhood::search(const World& world, const MovingRows& rows, const std::vector<double>& allowance) {
@@ -256,7 +305,11 @@ void Neighborhood::make_table(
     } else {
         carry_over(world.contacts);
     }
-    contact::plan_sums(world.contacts, rows.size(), sum_plan_);
+    std::vector<std::uint8_t> awake(leaves_out_held_ ? rows.size() : 0);
+    for (std::size_t g = 0; g < awake.size(); ++g) {
+        awake[g] = motion[g] == grains::Motion::Free ? 1 : 0;
+    }
+    contact::plan_sums(world.contacts, rows.size(), sum_plan_, awake);
     watch_.grains.resize(rows.size());
     parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {

@@ -10,6 +10,7 @@
 #include "suffuse/neighbors/pair_list.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -33,9 +34,14 @@ public:
     /// Forgets everything: after grains were added, removed or moved by hand.
     void invalidate() { valid_ = false; }
 
+    /// Forgets the table, but not the wide list: after grains were held or set free.
+    void forget_table() { has_table_ = false; }
+
     /// Leaves pairs of two held grains out of the table, where only moving grains matter: neither the stress nor
-    /// the forces on held grains are then whole.
+    /// the forces on held grains are then whole. Of all grains, only held ones sleep.
     void leave_out_held_pairs() { leaves_out_held_ = true; }
+
+    [[nodiscard]] bool leaves_out_held_pairs() const { return leaves_out_held_; }
 
     [[nodiscard]] const Watch& watch() const { return watch_; }
 
@@ -44,6 +50,9 @@ public:
 
     /// Time of the world until which they do [s].
     [[nodiscard]] double sleepers_until() const { return sleepers_until_; }
+
+    /// Whether none moves in a cell that stands.
+    [[nodiscard]] bool all_sleepers_stand() const { return std::isinf(sleepers_until_); }
 
     /// Mean motion from the cell at which the table was made to the cell `h`.
     [[nodiscard]] Mat3 mean_motion(const Mat3& h) const { return h * inverse_h_; }
@@ -60,14 +69,15 @@ private:
     void measure_grains(const World& world);
     void adapt(double lasted);
     [[nodiscard]] std::vector<double> allow_motion(const World& world, const MovingRows& rows, double dt);
-    [[nodiscard]] bool
-    wide_list_reaches(const World& world, const MovingRows& rows, const std::vector<double>& allowance) const;
+    [[nodiscard]] std::vector<std::uint8_t>
+    find_strayed(const World& world, const MovingRows& rows, const std::vector<double>& allowance) const;
+    void search_again(const World& world, const MovingRows& rows, std::span<const std::uint8_t> strayed);
     void search(const World& world, const MovingRows& rows, const std::vector<double>& allowance);
     void make_table(
         World& world, const MovingRows& rows, contact::SingleMemory* single, const std::vector<double>& allowance
     );
 
-    bool valid_ = false;
+    bool valid_ = false, has_table_ = false;
     bool leaves_out_held_ = false;
     double smallest_radius_ = 0, largest_radius_ = 0;
 

@@ -68,6 +68,41 @@ TEST(Neighborhood, SearchesOnlyWhenItsWideListRunsOut) {
     EXPECT_EQ(table.world.contacts.size(), 2U) << "now they overlap";
 }
 
+TEST(Neighborhood, OfAFewThatLeaveItsWideListSeeksTheNeighborsAlone) {
+    World many = touching_and_closing(1e-4, 0);
+    for (const double height : {20, 23, 26, 29, 32, 35}) {
+        test::add(many, many.grains.position[0] + Vec3{0, height * radius, 0}, radius);
+    }
+    Table table(many);
+    table.rows[3].position[0] -= 2 * radius; // by hand, further than any margin
+    table.update();
+    EXPECT_EQ(table.neighborhood.searches(), 1);
+    EXPECT_EQ(table.world.contacts.size(), 2U) << "now they overlap";
+    table.rows[3].position[0] += 2 * radius;
+    table.world.contacts = {};
+    table.update();
+    EXPECT_EQ(table.world.contacts.size(), 1U) << "and now no more";
+}
+
+TEST(Neighborhood, WithoutPairsOfHeldGrainsTakesThemInOnceTheyAreFree) {
+    World world = touching_and_closing(1e-4, 0);
+    world.grains.motion[0] = world.grains.motion[1] = grains::Motion::Held;
+    world.contacts = {};
+    Table table(world);
+    table.neighborhood.leave_out_held_pairs();
+    table.world.contacts = {};
+    table.neighborhood.forget_table();
+    EXPECT_FALSE(table.holds(table.world.cell.h));
+    table.update();
+    EXPECT_EQ(table.world.contacts.size(), 0U);
+    EXPECT_TRUE(table.neighborhood.all_sleepers_stand());
+    table.world.grains.motion[0] = grains::Motion::Free;
+    table.neighborhood.forget_table();
+    table.update();
+    EXPECT_EQ(table.world.contacts.size(), 1U);
+    EXPECT_EQ(table.neighborhood.searches(), 1);
+}
+
 TEST(Neighborhood, ReportsTheMeanMotionSinceTheTableWasMade) {
     const Table table(touching_and_closing(1e-4, 0));
     const Mat3 h = table.world.cell.h;

@@ -106,6 +106,14 @@ void take(World& world, Mode mode, StepCaches& caches) {
 
 /// Grains that slept make up for the steps that they did not make.
 void wake(StepCaches& caches) {
+    const auto stands = [](const motion::StepMotion& step) {
+        return step.old_gradient == Mat3{} && step.change == Mat3{};
+    };
+    const bool all_stand = caches.neighborhood.leaves_out_held_pairs() && caches.neighborhood.all_sleepers_stand() &&
+                           std::ranges::all_of(caches.slept, stands);
+    if (all_stand) {
+        caches.slept.clear();
+    }
     if (!caches.slept.empty()) {
         coast_sleepers(caches.slept, caches.neighborhood.sum_plan(), caches.rows);
         caches.slept.clear();
@@ -299,7 +307,8 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     const MotionBefore before = look_before(world, caches.neighborhood.searches() == 0);
     take(world, plan.mode, caches);
     look_at_sizes(world, plan.loading, caches);
-    caches.sleep = plan.load == nullptr; // drag only slows what nothing pushes
+    // Drag only slows what nothing pushes, and what is held is not pushed.
+    caches.sleep = plan.load == nullptr || caches.neighborhood.leaves_out_held_pairs();
     caches.slept.clear();
     caches.slept.reserve(most_slept_steps);
     if (caches.sleep) {

@@ -20,7 +20,7 @@ namespace {
 // In units of WeightScale::time; measured against longer ones in docs/theory/weight.md.
 constexpr double rest_burst = 5, longest_rest = 200;
 constexpr double hold_burst = 4;
-constexpr int bursts_of_a_flow = 5; ///< after which it is solved anew, through the fines as they lie then
+constexpr int bursts_of_a_flow = 5; ///< after which it follows the fines
 
 /// Masses of the fines of the result, those for which `counts` holds over all.
 template <class Counts>
@@ -95,9 +95,10 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
     const std::vector<Vec3> start = copy.positions();
     std::vector<std::uint8_t> moving(start.size(), 1);
     bool rests = copy.free_count() == 0;
+    copy.load({}, 0);
     while (!rests && result.rested_for < longest_rest) {
         const std::vector<Vec3> before = copy.positions();
-        copy.hold(rest_burst, {}, 0, pulse, "rest");
+        copy.hold(rest_burst, pulse, "rest");
         result.rested_for += rest_burst;
         std::int64_t count = 0;
         for (std::size_t k = 0; k < before.size(); ++k) {
@@ -151,11 +152,11 @@ public:
           rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.specified_gradient) {}
 
     void go(const Pulse& pulse) {
-        water_ = solve_(copy_.world());
-        result_.flow = water_.source;
-        compare_with_weight(copy_, water_, strength_, result_);
+        solve();
+        result_.flow = water_.flow.source;
+        compare_with_weight(copy_, water_.flow, strength_, result_);
         WeighedCopy::State below = copy_.state();
-        UnitSeepage water_below = water_;
+        Water water_below = water_;
         while (const std::optional<double> gradient = ramp_.next()) {
             const MobilityStep step = bear(*gradient, note_level(pulse, *gradient));
             if (!ramp_.take(step.mobile_mass_share)) {
@@ -167,7 +168,8 @@ public:
             result_.ramp.push_back(step);
             if (ramp_.next()) {
                 below = copy_.state();
-                water_ = water_below = solve_(copy_.world());
+                follow();
+                water_below = water_;
             }
         }
     }
@@ -180,8 +182,34 @@ private:
         };
     }
 
-    [[nodiscard]] double longest_hold(double mobile_share) const {
-        const double share = share_of_hold(mobile_share);
+    struct Water {
+        UnitSeepage flow;
+        std::vector<Vec3> around; ///< fines where it was solved
+    };
+
+    void solve() { water_ = {solve_(copy_.world()), copy_.positions()}; }
+
+    /// Solves the flow through the fines as they lie now, where enough of them lie elsewhere.
+    bool follow() {
+        double moved = 0, all = 0;
+        for (std::size_t k = 0; k < rest_.size(); ++k) {
+            const double diameters = norm(copy_.position(k) - water_.around[k]) / result_.diameter[k];
+            moved += result_.mass[k] * std::min(1.0, diameters);
+            all += result_.mass[k];
+        }
+        const bool is_old = is_flow_old(moved / all);
+        if (is_old) {
+            solve();
+        }
+        return is_old;
+    }
+
+    [[nodiscard]] double longest_hold(double gradient, double mobile_share) const {
+        if (floats(result_, gradient)) {
+            return hold_burst; // what moves there counts for nothing
+        }
+        const double below = result_.ramp.empty() ? 0 : result_.ramp.back().gradient;
+        const double share = share_of_hold(mobile_share, gradient - below);
         return share < 1 ? std::max(hold_burst, share * longest_hold_) : longest_hold_;
     }
 
@@ -194,7 +222,7 @@ private:
     /// Holds one gradient until nothing new advances, or until it is known to be undone, and enters what is mobile. The
     /// flow follows the fines.
     MobilityStep bear(double gradient, const Pulse& pulse) {
-        MobilityStep step{.gradient = gradient, .permeability = water_.permeability};
+        MobilityStep step{.gradient = gradient, .permeability = water_.flow.permeability};
         std::vector<double> furthest;
         for (std::size_t k = 0; k < rest_.size(); ++k) {
             furthest.push_back(advance(k));
@@ -202,14 +230,17 @@ private:
         const auto mobile = [&](std::size_t k) { return is_mobile(k); };
         const double undone_at = ramp_.undone_at().value_or(std::numeric_limits<double>::infinity());
         int bursts = 0; // of the flow
-        const double longest = longest_hold(mass_share(result_, mobile));
+        copy_.load(water_.flow.force, gradient * strength_);
+        const double longest = longest_hold(gradient, mass_share(result_, mobile));
         for (bool holds_on = copy_.free_count() > 0; holds_on && step.held_for < longest;) {
             if (bursts++ == bursts_of_a_flow) {
-                water_ = solve_(copy_.world());
+                if (follow()) {
+                    copy_.load(water_.flow.force, gradient * strength_);
+                }
                 bursts = 1;
             }
             const double time = std::min(hold_burst, longest - step.held_for);
-            copy_.hold(time, water_.force, gradient * strength_, pulse, "ramp");
+            copy_.hold(time, pulse, "ramp");
             step.held_for += time;
             std::int64_t advancing = 0;
             for (std::size_t k = 0; k < rest_.size(); ++k) {
@@ -240,7 +271,7 @@ private:
     double moved_, longest_hold_, strength_;
     std::vector<Vec3> rest_; ///< where the fines rested
     RefinedRamp ramp_;
-    UnitSeepage water_; ///< that pulls
+    Water water_; ///< that pulls
 };
 
 } // namespace

@@ -35,10 +35,18 @@ constexpr bool is_lifted(double advance) {
     return advance > 0.1;
 }
 
-/// Share of the longest hold that a gradient is given where so much of the fines' mass is mobile: where the gradients
-/// that move 1 and 10 % are known, what creeps is left to lower bounds.
-constexpr double share_of_hold(double mobile_mass_share) {
-    return mobile_mass_share < 0.1 ? 1 : 0.2;
+/// Share of the longest hold that a gradient is given where so much of the fines' mass is mobile before it, and it is
+/// higher by `step`. Where the gradients that move 1 and 10 % are known, what creeps is left to lower bounds: the ramp
+/// then rises by a tenth in a fifth of that time, whatever its steps.
+constexpr double share_of_hold(double mobile_mass_share, double step) {
+    constexpr double share = 0.2, of_step = 0.1;
+    return mobile_mass_share < 0.1 ? 1 : share * (step < of_step ? step / of_step : 1);
+}
+
+/// Whether so many of the fines have moved since the flow was solved that it is solved anew.
+/// @param moved mean over the fines' mass, in diameters, each grain by one at most [-]
+constexpr bool is_flow_old(double moved) {
+    return moved > 3e-3;
 }
 
 } // namespace suffuse::erosion

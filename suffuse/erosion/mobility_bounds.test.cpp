@@ -30,9 +30,16 @@ TEST(MobilityBounds, AGradientIsHeldOnForMotionOfAHundredthOfADiameter) {
     EXPECT_TRUE(is_still_growing({.still_moving = 0.0031}));
 }
 
-TEST(MobilityBounds, OnceATenthIsMobileAGradientHasAFifthOfTheTime) {
-    EXPECT_EQ(share_of_hold(0.0999), 1);
-    EXPECT_EQ(share_of_hold(0.1), 0.2);
+TEST(MobilityBounds, OnceATenthIsMobileTheRampRisesAtOneRateAtLeast) {
+    EXPECT_EQ(share_of_hold(0.0999, 0.01), 1);
+    EXPECT_DOUBLE_EQ(share_of_hold(0.1, 0.05), 0.1);
+    EXPECT_DOUBLE_EQ(share_of_hold(0.1, 0.1), 0.2);
+    EXPECT_DOUBLE_EQ(share_of_hold(0.1, 5), 0.2);
+}
+
+TEST(MobilityBounds, TheFlowIsOldOnceThreeFinesOfAThousandHaveMovedTheirDiameter) {
+    EXPECT_FALSE(is_flow_old(0.0029));
+    EXPECT_TRUE(is_flow_old(0.0031));
 }
 
 } // namespace

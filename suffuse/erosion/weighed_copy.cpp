@@ -1,6 +1,6 @@
 #include "suffuse/erosion/weighed_copy.hpp"
 
-#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/contact/carry_over.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/grains/load.hpp"
@@ -10,6 +10,11 @@
 
 namespace suffuse::erosion {
 namespace {
+
+// In units of WeightScale::time; measured against shorter naps in docs/theory/weight.md.
+constexpr double look_interval = 0.5;  ///< between two looks at who moves
+constexpr double awake_after_load = 2; ///< all are, so long after the load has changed
+constexpr double creep = 1e-3;         ///< above it a grain moves [diameters in a unit of time]
 
 /// For each grain whether a contact presses it that its weight alone does not explain.
 std::vector<std::uint8_t> find_load_bearing(const dem::World& world, const std::vector<Vec3>& weight) {
@@ -23,20 +28,44 @@ std::vector<std::uint8_t> find_load_bearing(const dem::World& world, const std::
     return bears;
 }
 
-/// Contacts between held grains push nothing that moves: they are taken not to touch, and the first table drops them.
-void part_held_grains(dem::World& world) {
-    contact::Contacts& contacts = world.contacts;
+/// For each contact 1 where neither grain moves.
+std::vector<std::uint8_t> between_held(const dem::World& world) {
+    const contact::Contacts& contacts = world.contacts;
     const std::vector<grains::Motion>& motion = world.grains.motion;
+    std::vector<std::uint8_t> held(contacts.size());
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-        if (motion[contacts.first[c]] == grains::Motion::Free || motion[contacts.second[c]] == grains::Motion::Free) {
-            continue;
-        }
-        contacts.overlap[c] = 0;
-        for (contact::VectorColumn* column :
-             {&contacts.shear_force, &contacts.bending, &contacts.normal, &contacts.twisting}) {
-            if (column->size() > 0) { // twisting memory need not be there
-                column->set(c, {});
-            }
+        const bool moves =
+            motion[contacts.first[c]] == grains::Motion::Free || motion[contacts.second[c]] == grains::Motion::Free;
+        held[c] = moves ? 0 : 1;
+    }
+    return held;
+}
+
+/// Takes contacts between held grains out of the world, for they push nothing that moves. @return them
+contact::Contacts part_held_grains(dem::World& world) {
+    std::vector<std::uint8_t> held = between_held(world);
+    contact::Contacts resting = contact::chosen_rows(world.contacts, held);
+    std::ranges::transform(held, held.begin(), [](std::uint8_t is_held) { return 1 - is_held; });
+    world.contacts = contact::chosen_rows(world.contacts, held);
+    return resting;
+}
+
+std::int64_t count_touching(const contact::Contacts& contacts) {
+    std::int64_t count = 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        count += contacts.touches(c) ? 1 : 0;
+    }
+    return count;
+}
+
+/// Marks also the grains that a marked one touches.
+void mark_touched(
+    const contact::Contacts& contacts, const std::vector<std::uint8_t>& moves, std::vector<std::uint8_t>& marked
+) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+        const std::uint32_t i = contacts.first[c], j = contacts.second[c];
+        if (contacts.touches(c) && (moves[i] != 0 || moves[j] != 0)) {
+            marked[i] = marked[j] = 1;
         }
     }
 }
@@ -72,15 +101,20 @@ WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, con
             free_ += is_free ? 1 : 0;
         }
     }
-    part_held_grains(world_);
+    part_held_grains(world_); // those of the skeleton never move
     caches_.neighborhood.leave_out_held_pairs();
     scale_ = scale_weight(world_, weight_, fines_, motion);
+}
+
+WeighedCopy::State WeighedCopy::state() {
+    wake();
+    return {world_, steps_};
 }
 
 void WeighedCopy::go_back(const State& state) {
     undone_steps_ += steps_ - state.steps;
     world_ = state.world;
-    step_ = state.step;
+    resting_ = {};
     steps_ = state.steps;
     caches_ = {};
     caches_.neighborhood.leave_out_held_pairs();
@@ -95,32 +129,77 @@ std::vector<Vec3> WeighedCopy::positions() const {
     return positions;
 }
 
-void WeighedCopy::hold(
-    double time, std::span<const Vec3> force, double share, const Pulse& pulse, std::string_view part
-) {
-    constexpr std::int64_t burst = 200; // between two looks at the pulse
-    grains::GrainLoad load;
-    load.force.resize(world_.grains.size());
+void WeighedCopy::wake() {
+    for (std::size_t k = 0; k < fines_.size(); ++k) {
+        if (bears_load_[k] == 0) {
+            world_.grains.motion[fines_[k]] = grains::Motion::Free;
+        }
+    }
+    world_.contacts = contact::joined(world_.contacts, resting_);
+    resting_ = {};
+    caches_.neighborhood.forget_table();
+}
+
+void WeighedCopy::put_to_sleep(const std::vector<Vec3>& before, double time) {
+    grains::Grains& grains = world_.grains;
+    std::vector<std::uint8_t> moves(grains.size(), 0);
+    for (std::size_t k = 0; k < fines_.size(); ++k) {
+        const std::uint32_t g = fines_[k];
+        moves[g] = norm(position(k) - before[k]) > creep * time * 2 * grains.radius[g] ? 1 : 0;
+    }
+    std::vector<std::uint8_t> awake = moves;
+    mark_touched(world_.contacts, moves, awake);
+    mark_touched(resting_, moves, awake);
+    wake();
+    for (std::size_t k = 0; k < fines_.size(); ++k) {
+        const std::uint32_t g = fines_[k];
+        if (awake[g] == 0) {
+            grains.motion[g] = grains::Motion::Held;
+            grains.velocity[g] = grains.spin[g] = {};
+        }
+    }
+    resting_ = part_held_grains(world_);
+}
+
+void WeighedCopy::renew_time_step() {
+    wake();
+    dem::take_time_step(step_, time_step_of_free_grains(world_), count_touching(world_.contacts));
+}
+
+void WeighedCopy::load(std::span<const Vec3> force, double share) {
+    load_.force.assign(world_.grains.size(), {});
     for (std::size_t k = 0; k < fines_.size(); ++k) {
         const std::uint32_t g = fines_[k];
         if (bears_load_[k] == 0) {
-            load.force[g] = scale_.factor * (force.empty() ? weight_[g] : weight_[g] + share * force[g]);
+            load_.force[g] = scale_.factor * (force.empty() ? weight_[g] : weight_[g] + share * force[g]);
         }
     }
+    loaded_for_ = 0;
+    renew_time_step();
+}
+
+void WeighedCopy::hold(double time, const Pulse& pulse, std::string_view part) {
     dem::StepPlan plan;
     plan.damping = dem::usual_damping;
     plan.drag = scale_.drag;
     plan.loading = dem::constant_volume();
-    plan.load = &load;
-    for (double left = time * scale_.time; left > 0;) {
+    plan.load = &load_;
+    for (double left = time; left > 0;) {
         beat(pulse, part, steps());
-        const std::int64_t contacts = dem::measure_equilibrium(world_).contacts;
-        dem::renew_time_step(step_, steps_, contacts, [&] { return time_step_of_free_grains(world_); });
+        if (dem::network_has_grown(count_touching(world_.contacts) + count_touching(resting_), step_.known_contacts)) {
+            renew_time_step();
+        }
         plan.dt = step_.time_step;
-        const auto steps = std::clamp<std::int64_t>(static_cast<std::int64_t>(std::ceil(left / plan.dt)), 1, burst);
+        const std::vector<Vec3> before = positions();
+        const auto steps = static_cast<std::int64_t>(std::ceil(std::min(left, look_interval) * scale_.time / plan.dt));
         dem::advance(world_, caches_, plan, steps);
         steps_ += steps;
-        left -= static_cast<double>(steps) * plan.dt;
+        const double advanced = static_cast<double>(steps) * plan.dt / scale_.time;
+        left -= advanced;
+        loaded_for_ += advanced;
+        if (loaded_for_ > awake_after_load) {
+            put_to_sleep(before, advanced);
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A copy of a sample whose free fines have weight: coarse grains are held, and with them the fines that carry the
-// skeleton's forces. Weight and seepage are scaled up alike (weight.hpp).
+// skeleton's forces. Weight and seepage are scaled up alike (weight.hpp). Free fines that have come to rest among
+// others that rest are held, too, until something moves next to them or the load changes: they sleep.
 
 #include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -23,17 +24,19 @@ public:
     /// @param weight of each grain, less buoyancy [N]; @param motion see scale_weight
     WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion);
 
-    /// Lets weight act, and `share` of the given force on each grain [N], if any, for a time in units of scale().time.
-    void hold(double time, std::span<const Vec3> force, double share, const Pulse& pulse, std::string_view part);
+    /// Lets weight act, and `share` of the given force on each grain [N], if any, from now on. All are awake.
+    void load(std::span<const Vec3> force, double share);
+
+    /// Moves on under the load, for a time in units of scale().time.
+    void hold(double time, const Pulse& pulse, std::string_view part);
 
     /// All that a later motion depends on.
     struct State {
         dem::World world;
-        dem::ComputedStep step;
         std::int64_t steps = 0;
     };
 
-    [[nodiscard]] State state() const { return {world_, step_, steps_}; }
+    [[nodiscard]] State state(); ///< all are awake
 
     /// Goes back to a state of this copy: what moves from there moves to the same bits.
     void go_back(const State& state);
@@ -61,13 +64,20 @@ public:
     [[nodiscard]] std::int64_t free_count() const { return free_; }
 
 private:
+    void wake();
+    void put_to_sleep(const std::vector<Vec3>& before, double time);
+    void renew_time_step();
+
     dem::World world_;
-    std::vector<Vec3> weight_; ///< [N]
+    contact::Contacts resting_; ///< contacts of the whole between grains of which none moves
+    std::vector<Vec3> weight_;  ///< [N]
     std::vector<std::uint32_t> fines_;
     std::vector<std::uint8_t> bears_load_;
     std::int64_t free_ = 0;
     WeightScale scale_;
     dem::StepCaches caches_;
+    grains::GrainLoad load_;
+    double loaded_for_ = 0; ///< in units of scale().time
     dem::ComputedStep step_;
     std::int64_t steps_ = 0, undone_steps_ = 0;
 };

@@ -44,6 +44,74 @@ TEST(WeighedCopy, HoldsFinesThatAContactPressesWithMoreThanAHundredTimesTheirWei
     }
 }
 
+/// Fines that fall between held grains of a lattice: some come to rest on others.
+dem::World fines_in_a_lattice() {
+    constexpr int edge = 3;
+    const double fine = 0.3 * radius, spacing = 2.1 * radius, width = edge * spacing;
+    dem::World world;
+    world.cell.h = diagonal({width, width, 4 * width});
+    const auto add = [&](const Vec3& place, double r, std::uint8_t is_fine) {
+        add_grain(world.grains, place, r, world.material.density);
+        world.grains.fine.back() = is_fine;
+    };
+    for (int a = 0; a < edge; ++a) {
+        for (int b = 0; b < edge; ++b) {
+            const double x = (a + 0.5) * spacing, y = (b + 0.5) * spacing;
+            add({x, y, radius}, radius, 0);
+            add({x + 0.3 * fine * a, y + 0.4 * fine * b, 2.5 * radius}, fine, 1);
+            add({x + 0.2 * fine * b, y - 0.3 * fine, 3.5 * radius}, fine, 1);
+        }
+    }
+    add({0, 0, radius - spacing}, radius, 0);
+    for (int a = 0; a < edge; ++a) { // a floor below the gaps between them
+        for (int b = 0; b < edge; ++b) {
+            if (a + b > 0) {
+                add({a * spacing, b * spacing, radius - spacing}, radius, 0);
+            }
+        }
+    }
+    return world;
+}
+
+TEST(WeighedCopy, MovesFinesThatRestForAWhileAsIfNoneSlept) {
+    const dem::World world = fines_in_a_lattice();
+    constexpr int times = 40; // T
+    WeighedCopy copy(world, buoyant_weights(world, {}, {}), {}), sleepless = copy;
+    copy.load({}, 0);
+    copy.hold(times, {}, "rest");
+    for (int k = 0; k < times; ++k) { // a load that changes so often lets none sleep
+        sleepless.load({}, 0);
+        sleepless.hold(1, {}, "rest");
+    }
+    for (std::size_t k = 0; k < copy.fines().size(); ++k) {
+        EXPECT_LT(norm(copy.position(k) - sleepless.position(k)), 0.1 * radius) << k;
+    }
+    std::size_t asleep = 0;
+    for (const std::uint32_t g : copy.fines()) {
+        asleep += copy.world().grains.motion[g] == grains::Motion::Held ? 1 : 0;
+    }
+    EXPECT_GT(asleep, 0U);
+    const WeighedCopy::State state = copy.state();
+    for (const std::uint32_t g : copy.fines()) {
+        EXPECT_EQ(state.world.grains.motion[g], grains::Motion::Free);
+    }
+    EXPECT_GT(state.world.contacts.size(), asleep) << "each rests on something, asleep or awake";
+}
+
+TEST(WeighedCopy, WakesFinesWhenTheLoadChanges) {
+    const dem::World world = one_on_another(1, 0);
+    const std::vector<Vec3> weight = buoyant_weights(world, {}, {});
+    WeighedCopy copy(world, weight, {});
+    copy.load({}, 0);
+    copy.hold(10, {}, "rest");
+    EXPECT_EQ(copy.world().grains.motion[1], grains::Motion::Held);
+    const Vec3 rested = copy.position(0);
+    const std::vector<Vec3> force = {{}, -2 * weight[1]};
+    copy.load(force, 1);
+    copy.hold(5, {}, "ramp");
+    EXPECT_GT(copy.position(0).z - rested.z, radius);
+}
+
 TEST(WeighedCopy, TakesStepsThatDoNotDependOnTheMassOfHeldGrains) {
     std::vector<double> time_step;
     for (const double lighter : {1.0, 0.01}) {
@@ -51,7 +119,8 @@ TEST(WeighedCopy, TakesStepsThatDoNotDependOnTheMassOfHeldGrains) {
         world.grains.mass.front() *= lighter;
         world.grains.inertia.front() *= lighter;
         WeighedCopy copy(world, buoyant_weights(world, {}, {}), {});
-        copy.hold(1e-3, {}, 0, {}, "rest");
+        copy.load({}, 0);
+        copy.hold(1e-3, {}, "rest");
         time_step.push_back(copy.time_step());
     }
     EXPECT_GT(time_step[1], 0);

@@ -23,19 +23,27 @@ Pair ordered(std::uint32_t i, std::uint32_t j, const cell::Image& image) {
 
 class Search {
 public:
+    /// @param sought a 1 for each grain that all its pairs are sought of; empty: all pairs of all
     Search(
-        const Mat3& h, std::span<const double> radius, const HomePositions& home, std::vector<Grid> grids, double margin
+        const Mat3& h, std::span<const double> radius, const HomePositions& home, std::vector<Grid> grids,
+        double margin, std::span<const std::uint8_t> sought
     )
-        : h_(h), width_(cell::widths(h)), radius_(radius), home_(home), grids_(std::move(grids)), margin_(margin) {
+        : h_(h), width_(cell::widths(h)), radius_(radius), home_(home), grids_(std::move(grids)), margin_(margin),
+          sought_(sought) {
         for (const double r : radius) {
             largest_ = std::max(largest_, r);
         }
     }
 
-    /// Appends the pairs of grain `i` with grains of its own class (once a pair) and with larger grains.
+    /// Appends the pairs of grain `i` with grains of its own class (once a pair) and with larger grains; if it is
+    /// sought, with all (once a pair of two that are).
     void collect(std::uint32_t i, std::vector<Pair>& pairs) const {
+        if (!sought_.empty() && sought_[i] == 0) {
+            return;
+        }
         const int own = size_class(radius_[i], largest_);
-        for (int c = 0; c <= own; ++c) {
+        const int last = sought_.empty() ? own : static_cast<int>(grids_.size()) - 1;
+        for (int c = 0; c <= last; ++c) {
             const Grid& grid = grids_[static_cast<std::size_t>(c)];
             if (!grid.grain.empty()) {
                 collect_from(grid, i, c == own, pairs);
@@ -60,7 +68,8 @@ private:
         const Vec3 origin = home_.position[i] - cell::shift(h_, period);
         for (std::uint32_t k = grid.start[bin]; k < grid.start[bin + 1]; ++k) {
             const std::uint32_t j = grid.grain[k];
-            if (own_class && (j < i || (j == i && period <= cell::Image{}))) {
+            const bool is_met_twice = sought_.empty() ? own_class : sought_[j] != 0;
+            if (is_met_twice && (j < i || (j == i && period <= cell::Image{}))) {
                 continue;
             }
             const double limit = radius_[i] + radius_[j] + margin_;
@@ -77,6 +86,7 @@ private:
     const HomePositions& home_;
     std::vector<Grid> grids_;
     double margin_;
+    std::span<const std::uint8_t> sought_;
     double largest_ = 0;
 };
 
@@ -164,16 +174,20 @@ std::vector<cell::Image> images_within(double reach, const Vec3& width) {
 }
 
 /// Unsorted, in blocks of the grains that they were found from.
-std::vector<std::vector<Pair>>
-collect_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin) {
+std::vector<std::vector<Pair>> collect_pairs(
+    const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin,
+    std::span<const std::uint8_t> sought
+) {
     const std::size_t grains = position.size();
     const HomePositions home = bring_home(h, std::move(position));
-    const Search search(h, radius, home, build_grids(h, home, radius, margin), margin);
+    const Search search(h, radius, home, build_grids(h, home, radius, margin), margin, sought);
     constexpr std::size_t block = 512;
     std::vector<std::vector<Pair>> blocks((grains + block - 1) / block);
     parallel_for(grains, block, [&](std::size_t begin, std::size_t end) {
         std::vector<Pair>& pairs = blocks[begin / block];
-        pairs.reserve(4 * (end - begin));
+        if (sought.empty()) {
+            pairs.reserve(4 * (end - begin));
+        }
         for (std::size_t i = begin; i < end; ++i) {
             search.collect(static_cast<std::uint32_t>(i), pairs);
         }
@@ -184,8 +198,15 @@ collect_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double>
 } // namespace
 
 std::vector<Pair> find_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin) {
+    return find_pairs_of({}, h, std::move(position), radius, margin);
+}
+
+std::vector<Pair> find_pairs_of(
+    std::span<const std::uint8_t> sought, const Mat3& h, std::vector<Vec3> position, std::span<const double> radius,
+    double margin
+) {
     check_input(h, position);
-    return sorted(collect_pairs(h, std::move(position), radius, margin), radius.size());
+    return sorted(collect_pairs(h, std::move(position), radius, margin, sought), radius.size());
 }
 
 std::vector<Pair>

@@ -26,7 +26,13 @@ struct Pair {
 /// @throws GeometryError when a position or the cell is not finite, or the cell has no volume.
 std::vector<Pair> find_pairs(const Mat3& h, std::vector<Vec3> position, std::span<const double> radius, double margin);
 
-/// The same by testing every pair with every image within reach: the slow oracle of the tests.
+/// Those of them that have a grain with a 1 in `sought`, all where that is empty.
+std::vector<Pair> find_pairs_of(
+    std::span<const std::uint8_t> sought, const Mat3& h, std::vector<Vec3> position, std::span<const double> radius,
+    double margin
+);
+
+/// All pairs by testing every pair with every image within reach: the slow oracle of the tests.
 std::vector<Pair>
 find_pairs_exhaustively(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, double margin);
 

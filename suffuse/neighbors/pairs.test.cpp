@@ -43,6 +43,19 @@ TEST_P(AnySizeRatio, FindsExactlyThePairsOfTheExhaustiveSearch) {
     }
 }
 
+TEST_P(AnySizeRatio, FindsExactlyThePairsOfTheGrainsThatAreSought) {
+    const Cloud cloud = random_cloud(GetParam(), 700, sheared, 7);
+    std::vector<std::uint8_t> sought(cloud.radius.size());
+    for (std::size_t g = 0; g < sought.size(); ++g) {
+        sought[g] = g % 5 == 0 ? 1 : 0; // of every size
+    }
+    auto wanted = find_pairs(cloud.h, cloud.position, cloud.radius, 0.01);
+    const auto all = wanted.size();
+    std::erase_if(wanted, [&](const Pair& pair) { return sought[pair.first] == 0 && sought[pair.second] == 0; });
+    EXPECT_LT(wanted.size(), all);
+    EXPECT_EQ(find_pairs_of(sought, cloud.h, cloud.position, cloud.radius, 0.01), wanted);
+}
+
 INSTANTIATE_TEST_SUITE_P(Pairs, AnySizeRatio, testing::Values(1.0, 4.0, 20.0, 100.0));
 
 TEST(Pairs, AGrainMeetsItsOwnImageInANarrowCell) {
