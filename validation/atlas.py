@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """The atlas of gradients that move fines: atlas.toml for each size ratio, fines content and seed, with three densities.
 
-A row is one sample under one flow. Rows that are in atlas.csv are not computed again, so that it can be made in portions:
-./run validation/atlas.py --ratio 6.5 --density ends --seeds 1. Without words it makes all."""
+A row is one sample under one flow. They lie in suffuse/atlas/gradients.csv, which is built into the program. Rows that are
+there are not computed again, so that it can be made in portions: ./run validation/atlas.py --ratio 6.5 --density ends
+--seeds 1. Without words it makes all."""
 
 import argparse
 import math
@@ -14,6 +15,7 @@ RATIOS = [3.5, 4.5, 6.5, 10]
 CONTENTS = [5, 10, 15, 20, 25, 30, 35]  # [%]
 SEEDS = [1, 2, 3]
 DENSITIES = {"ends": ["loose", "dense"], "between": ["medium"]}
+HOME = common.ROOT / "suffuse" / "atlas" / "gradients.csv"
 NAN = math.nan
 
 
@@ -72,7 +74,7 @@ def main():
     portion, rest = parser.parse_known_args()
     sys.argv[1:] = rest
     given = common.options(__doc__)
-    samples = common.Samples(given, "atlas")
+    samples = common.Samples(given, "atlas", home=HOME)
     for study in portion.density or DENSITIES:
         for seed in SEEDS[:portion.seeds]:
             for ratio in portion.ratio or RATIOS:

@@ -36,10 +36,10 @@ def options(description):
 
 
 class Samples:
-    """A table NAME.csv of measured samples, a row each, known by the columns of its key."""
+    """A table NAME.csv of measured samples, a row each, known by the columns of its key. home: another file, unless --quick."""
 
-    def __init__(self, given, name):
-        self.path = given.output / f"{name}.csv"
+    def __init__(self, given, name, home=None):
+        self.path = home if home and not given.quick else given.output / f"{name}.csv"
         self.rows = []
         if given.quick:
             self.path.unlink(missing_ok=True)  # a test measures

@@ -1,0 +1,138 @@
+#include "suffuse/atlas/look_up.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace suffuse::atlas {
+namespace {
+
+constexpr double rounding = 1e-6; // relative, of sizes and shares that were computed
+
+struct WeightedLine {
+    double at = 0, weight = 0;
+};
+
+/// The line of the grid that a coordinate is on, or the two that it is between; nothing outside.
+std::vector<WeightedLine> lines_around(const std::set<double>& lines, double at) {
+    const auto after = lines.lower_bound(at * (1 - rounding));
+    if (after == lines.end()) {
+        return {};
+    }
+    if (*after <= at * (1 + rounding)) {
+        return {{*after, 1}};
+    }
+    if (after == lines.begin()) {
+        return {};
+    }
+    const double low = *std::prev(after), high = *after, share = (at - low) / (high - low);
+    return {{low, 1 - share}, {high, share}};
+}
+
+/// The rectangular grid of nodes; ratios by their logarithm.
+class Grid {
+public:
+    explicit Grid(const std::vector<Node>& nodes) {
+        for (const Node& node : nodes) {
+            const double ratio = std::log(node.size_ratio);
+            ratios_.insert(ratio);
+            contents_.insert(node.fines_content);
+            nodes_[{ratio, node.fines_content}] = &node;
+        }
+    }
+
+    /// The corners of the cell; nothing where one of them is missing.
+    [[nodiscard]] std::vector<WeightedNode> corners(double ratio, double content) const {
+        std::vector<WeightedNode> found;
+        for (const WeightedLine& first : lines_around(ratios_, ratio)) {
+            for (const WeightedLine& second : lines_around(contents_, content)) {
+                const auto node = nodes_.find({first.at, second.at});
+                if (node == nodes_.end()) {
+                    return {};
+                }
+                found.push_back({node->second, first.weight * second.weight});
+            }
+        }
+        return found;
+    }
+
+    [[nodiscard]] double nearest_ratio(double ratio) const {
+        return *std::ranges::min_element(ratios_, {}, [&](double line) { return std::abs(line - ratio); });
+    }
+
+private:
+    std::set<double> ratios_, contents_;
+    std::map<std::pair<double, double>, const Node*> nodes_;
+};
+
+std::vector<WeightedNode> nodes_for(const std::vector<Node>& nodes, double size_ratio, double fines_content) {
+    const Grid grid(nodes);
+    const double ratio = std::log(size_ratio);
+    std::vector<WeightedNode> corners = grid.corners(ratio, fines_content);
+    const double nearest = grid.nearest_ratio(ratio);
+    if (corners.empty() && std::abs(nearest - ratio) <= std::log1p(same_ratio)) {
+        corners = grid.corners(nearest, fines_content);
+    }
+    return corners;
+}
+
+/// In steps of the atlas, about 1.4 in the size ratio and 5 % in the fines content.
+double distance(const Node& node, double size_ratio, double fines_content) {
+    constexpr double step_of_ratio = 0.34, step_of_content = 0.05;
+    return std::hypot(
+        std::log(node.size_ratio / size_ratio) / step_of_ratio, (node.fines_content - fines_content) / step_of_content
+    );
+}
+
+} // namespace
+
+int Found::seeds() const {
+    std::map<std::pair<double, double>, int> samples;
+    for (const Row& row : rows) {
+        ++samples[{row.size_ratio, row.fines_content}];
+    }
+    const auto fewest = std::ranges::min_element(samples, {}, [](const auto& place) { return place.second; });
+    return fewest == samples.end() ? 0 : fewest->second;
+}
+
+double Found::sifting() const {
+    double most = 0;
+    for (const Row& row : rows) {
+        most = std::max(most, row.sifting);
+    }
+    return most;
+}
+
+Found look_up(const std::vector<Row>& rows, double size_ratio, double fines_content, Density density, Flow flow) {
+    Found found{density, flow, {}, false, {}};
+    const std::vector<Node> nodes = gather_nodes(rows, density, flow);
+    if (nodes.empty()) {
+        return found;
+    }
+    const std::vector<WeightedNode> corners = nodes_for(nodes, size_ratio, fines_content);
+    if (corners.empty()) {
+        found.rows = std::ranges::min_element(nodes, {}, [&](const Node& node) {
+                         return distance(node, size_ratio, fines_content);
+                     })->rows;
+        return found;
+    }
+    found.node = blend(corners);
+    found.rows = found.node->rows;
+    found.is_interpolated = corners.size() > 1;
+    return found;
+}
+
+std::vector<Density> densities_of(const std::vector<Row>& rows, Flow flow) {
+    std::vector<Density> found;
+    for (const Density density : {Density::Loose, Density::Medium, Density::Dense}) {
+        if (std::ranges::any_of(rows, [&](const Row& row) { return row.density == density && row.flow == flow; })) {
+            found.push_back(density);
+        }
+    }
+    return found;
+}
+
+} // namespace suffuse::atlas

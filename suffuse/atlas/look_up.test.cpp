@@ -1,0 +1,128 @@
+#include "suffuse/atlas/look_up.hpp"
+
+#include "suffuse/atlas/interpolation_error.hpp"
+#include "suffuse/atlas/rows_for_tests.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suffuse::atlas {
+namespace {
+
+using test::row_at;
+
+Found look_up_loose(const std::vector<Row>& rows, double ratio, double fines) {
+    return look_up(rows, ratio, fines, Density::Loose, Flow::Up);
+}
+
+/// i1 = fines / ratio^2: a plane in the logarithms of i1 and of the ratio, along each line of fines.
+std::vector<Row> square() {
+    std::vector<Row> rows;
+    for (const double ratio : {4.0, 8.0}) {
+        for (const double fines : {0.1, 0.2}) {
+            rows.push_back(row_at(ratio, fines, fines / (ratio * ratio)));
+        }
+    }
+    return rows;
+}
+
+TEST(Atlas, AtANodeTheNodeIsTheAnswer) {
+    const Found found = look_up_loose(square(), 8, 0.2);
+    ASSERT_TRUE(found.node);
+    EXPECT_NEAR(found.node->moves_1->mean, 0.2 / 64, 1e-15);
+    EXPECT_NEAR(found.node->moves_10->mean, 0.4 / 64, 1e-15);
+    EXPECT_NEAR(found.node->alpha.mean, 0.2, 1e-15);
+    EXPECT_FALSE(found.is_interpolated);
+    EXPECT_EQ(found.rows.size(), 1U);
+}
+
+TEST(Atlas, WithinACellItIsLinearInFinesAndTheLogarithmOfTheRatio) {
+    const Found found = look_up_loose(square(), std::sqrt(32), 0.15);
+    ASSERT_TRUE(found.node);
+    EXPECT_TRUE(found.is_interpolated);
+    EXPECT_EQ(found.rows.size(), 4U);
+    EXPECT_NEAR(found.node->moves_1->mean, std::sqrt(0.1 * 0.2) / 32, 1e-15);
+    EXPECT_NEAR(found.node->alpha.mean, 0.15, 1e-15);
+}
+
+TEST(Atlas, OnALineOnlyItsNodesAreNeeded) {
+    std::vector<Row> rows = square();
+    rows.pop_back(); // ratio 8, 20 %
+    EXPECT_TRUE(look_up_loose(rows, 4, 0.15).node);
+    EXPECT_TRUE(look_up_loose(rows, 6, 0.1).node);
+    EXPECT_FALSE(look_up_loose(rows, 6, 0.15).node) << "a corner is missing";
+}
+
+TEST(Atlas, OutsideItNamesTheNearestRowsAndNoNumber) {
+    const Found found = look_up_loose(square(), 20, 0.05);
+    EXPECT_FALSE(found.node);
+    ASSERT_EQ(found.rows.size(), 1U);
+    EXPECT_EQ(found.rows.front().size_ratio, 8);
+    EXPECT_EQ(found.rows.front().fines_content, 0.1);
+    EXPECT_TRUE(look_up(square(), 4, 0.1, Density::Dense, Flow::Up).rows.empty()) << "none of this density";
+}
+
+TEST(Atlas, ASingleRatioAnswersOnlyForSoilsOfThatRatio) {
+    const std::vector<Row> rows = {row_at(6.5, 0.1, 0.2), row_at(6.5, 0.2, 0.3)};
+    EXPECT_TRUE(look_up_loose(rows, 6.65, 0.12).node);
+    EXPECT_TRUE(look_up_loose(rows, 6.35, 0.12).node);
+    EXPECT_FALSE(look_up_loose(rows, 6.8, 0.12).node);
+    EXPECT_FALSE(look_up_loose(rows, 6.2, 0.12).node);
+}
+
+TEST(Atlas, SeedsGiveAMeanAndItsScatterAndOneSeedNone) {
+    const std::vector<Row> rows = {row_at(4, 0.1, 0.2), row_at(4, 0.1, 0.4, 2), row_at(4, 0.2, 0.3)};
+    const Found two = look_up_loose(rows, 4, 0.1), one = look_up_loose(rows, 4, 0.15);
+    EXPECT_EQ(two.seeds(), 2);
+    EXPECT_NEAR(two.node->moves_1->mean, 0.3, 1e-15);
+    EXPECT_NEAR(two.node->moves_1->deviation.value(), 0.2 / std::sqrt(2), 1e-15);
+    EXPECT_EQ(one.seeds(), 1) << "of the node with the fewest";
+    EXPECT_FALSE(one.node->moves_1->deviation);
+}
+
+TEST(Atlas, GradientsOfSoilsOfOtherPorositiesAreComparedOverTheirHeave) {
+    Row level = row_at(4, 0.1, 0.2);
+    level.flow = Flow::Level, level.heave.reset(), level.porosity = 0.5;
+    const Found found = look_up({level}, 4, 0.1, Density::Loose, Flow::Level);
+    EXPECT_NEAR(found.node->moves_1->mean, 0.2 / (1.65 * 0.5), 1e-15);
+}
+
+TEST(Atlas, AnUpperBoundStaysOneAndAGradientThatWasNotReachedIsNone) {
+    std::vector<Row> rows = square();
+    rows[0].moves_1.is_at_most = true;
+    rows[3].moves_10.gradient.reset();
+    const Found inside = look_up_loose(rows, 6, 0.15);
+    EXPECT_TRUE(inside.node->moves_1->is_at_most);
+    EXPECT_FALSE(inside.node->moves_10);
+    EXPECT_FALSE(look_up_loose(rows, 4, 0.2).node->moves_1->is_at_most) << "another node";
+    EXPECT_TRUE(look_up_loose(rows, 4, 0.2).node->moves_10);
+}
+
+TEST(Atlas, AGradientOfZeroLeavesNumbers) {
+    const Found found = look_up_loose({row_at(4, 0.1, 0), row_at(4, 0.2, 0.3)}, 4, 0.15);
+    EXPECT_TRUE(std::isfinite(found.node->moves_1->mean));
+}
+
+TEST(Atlas, ItsErrorIsThatOfNodesWhichAreLeftOut) {
+    // the middle one of three is e^0.5 times what its neighbors say: predicted too low by a factor of e^0.5
+    const std::vector<Row> rows = {row_at(4, 0.1, 0.1), row_at(4, 0.2, 0.1 * std::exp(0.5)), row_at(4, 0.3, 0.1)};
+    const InterpolationError error = error_of_interpolation(rows, Flow::Up);
+    EXPECT_NEAR(error.moves_1.value(), 1 - std::exp(-0.5), 1e-12);
+    EXPECT_NEAR(error.moves_10.value(), 1 - std::exp(-0.5), 1e-12);
+    EXPECT_FALSE(error_of_interpolation(rows, Flow::Level).moves_1) << "no rows";
+    EXPECT_FALSE(error_of_interpolation(square(), Flow::Up).moves_1) << "no node has a neighbor on either side";
+}
+
+TEST(Atlas, ALogarithmicLineOverTheRatioHasNoError) {
+    const std::vector<Row> rows = {row_at(4, 0.1, 1. / 4), row_at(6, 0.1, 1. / 6), row_at(10, 0.1, 1. / 10)};
+    EXPECT_NEAR(error_of_interpolation(rows, Flow::Up).moves_1.value(), 0, 1e-12);
+}
+
+TEST(Atlas, KnowsWhichDensitiesItHas) {
+    EXPECT_EQ(densities_of(square(), Flow::Up), std::vector<Density>{Density::Loose});
+    EXPECT_TRUE(densities_of(square(), Flow::Level).empty());
+}
+
+} // namespace
+} // namespace suffuse::atlas

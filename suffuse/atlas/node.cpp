@@ -1,0 +1,125 @@
+#include "suffuse/atlas/node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace suffuse::atlas {
+namespace {
+
+/// Ramps know a gradient to 0.01; below a tenth of that its logarithm would be noise, or none.
+constexpr double least_gradient = 1e-3;
+
+Value over_seeds(const std::vector<double>& samples) {
+    Value value;
+    for (const double sample : samples) {
+        value.mean += sample / static_cast<double>(samples.size());
+    }
+    if (samples.size() > 1) {
+        double squares = 0;
+        for (const double sample : samples) {
+            squares += (sample - value.mean) * (sample - value.mean);
+        }
+        value.deviation = std::sqrt(squares / static_cast<double>(samples.size() - 1));
+    }
+    return value;
+}
+
+std::optional<Value> gradient_of(const std::vector<Row>& rows, Threshold Row::*threshold) {
+    std::vector<double> samples;
+    bool is_at_most = false;
+    for (const Row& row : rows) {
+        const Threshold& found = row.*threshold;
+        if (!found.gradient) {
+            return std::nullopt;
+        }
+        samples.push_back(*found.gradient / heave_gradient(row));
+        is_at_most = is_at_most || found.is_at_most;
+    }
+    Value value = over_seeds(samples);
+    value.is_at_most = is_at_most;
+    return value;
+}
+
+Node node_of(std::vector<Row> rows) {
+    std::vector<double> porosities, alphas;
+    for (const Row& row : rows) {
+        porosities.push_back(row.porosity);
+        alphas.push_back(row.alpha);
+    }
+    Node node;
+    node.size_ratio = rows.front().size_ratio;
+    node.fines_content = rows.front().fines_content;
+    node.porosity = over_seeds(porosities).mean;
+    node.alpha = over_seeds(alphas);
+    node.moves_1 = gradient_of(rows, &Row::moves_1);
+    node.moves_10 = gradient_of(rows, &Row::moves_10);
+    node.rows = std::move(rows);
+    return node;
+}
+
+Value blend_alpha(const std::vector<WeightedNode>& nodes) {
+    Value value;
+    value.deviation = 0;
+    for (const auto& [node, weight] : nodes) {
+        value.mean += weight * node->alpha.mean;
+        value.deviation = value.deviation && node->alpha.deviation
+                              ? std::optional(*value.deviation + weight * *node->alpha.deviation)
+                              : std::nullopt;
+    }
+    return value;
+}
+
+std::optional<Value> blend_gradient(const std::vector<WeightedNode>& nodes, std::optional<Value> Node::*threshold) {
+    double logarithm = 0;
+    std::optional<double> scatter = 0; // relative
+    bool is_at_most = false;
+    for (const auto& [node, weight] : nodes) {
+        const std::optional<Value>& found = node->*threshold;
+        if (!found) {
+            return std::nullopt;
+        }
+        const double gradient = std::max(found->mean, least_gradient);
+        logarithm += weight * std::log(gradient);
+        scatter = scatter && found->deviation ? std::optional(*scatter + weight * *found->deviation / gradient)
+                                              : std::nullopt;
+        is_at_most = is_at_most || found->is_at_most;
+    }
+    const double mean = std::exp(logarithm);
+    return Value{mean, scatter ? std::optional(*scatter * mean) : std::nullopt, is_at_most};
+}
+
+} // namespace
+
+std::vector<Node> gather_nodes(const std::vector<Row>& rows, Density density, Flow flow) {
+    std::map<std::pair<double, double>, std::vector<Row>> by_place;
+    for (const Row& row : rows) {
+        if (row.density == density && row.flow == flow) {
+            by_place[{row.size_ratio, row.fines_content}].push_back(row);
+        }
+    }
+    std::vector<Node> nodes;
+    for (auto& [place, samples] : by_place) {
+        nodes.push_back(node_of(std::move(samples)));
+    }
+    return nodes;
+}
+
+Node blend(const std::vector<WeightedNode>& nodes) {
+    Node blended;
+    double ratio = 0;
+    for (const auto& [node, weight] : nodes) {
+        ratio += weight * std::log(node->size_ratio);
+        blended.fines_content += weight * node->fines_content;
+        blended.porosity += weight * node->porosity;
+        blended.rows.insert(blended.rows.end(), node->rows.begin(), node->rows.end());
+    }
+    blended.size_ratio = std::exp(ratio);
+    blended.alpha = blend_alpha(nodes);
+    blended.moves_1 = blend_gradient(nodes, &Node::moves_1);
+    blended.moves_10 = blend_gradient(nodes, &Node::moves_10);
+    return blended;
+}
+
+} // namespace suffuse::atlas
