@@ -67,6 +67,29 @@ TEST_F(Assess, WithAGradientSaysWhatMarginIsLeft) {
     EXPECT_EQ(gradients[1]["verdict"], "stable");
 }
 
+TEST_F(Assess, OfLevelFlowOnlyTheAtlasSaysSomething) {
+    EXPECT_EQ(call("dyke.csv -i 0.33"), 0);
+    expect_out("atlas of simulated soils: D50/d50 ");
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow level"), 0);
+    expect_out("level seepage, i = 0.33");
+    expect_out("only upward flow lifts grains");
+    EXPECT_EQ(out.find("factor of safety"), std::string::npos);
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow level --json"), 0);
+    const auto soil = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_TRUE(soil["gradients"].empty());
+    EXPECT_EQ(soil["seepage"]["flow"], "level");
+    ASSERT_FALSE(soil["atlas"].empty());
+    for (const auto& entry : soil["atlas"]) {
+        EXPECT_EQ(entry["flow"], "level");
+        EXPECT_NEAR(entry["fines_content"].get<double>(), 0.25, 1e-12);
+    }
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow down"), 0);
+    expect_out("it has upward and level flow, none downward");
+    EXPECT_EQ(call("dyke.csv --flow level"), 2);
+    expect_in("add -i I", error);
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow sideways"), 2);
+}
+
 TEST_F(Assess, TakesSharesInPercent) {
     EXPECT_EQ(call("dyke.csv -i 33% --alpha 50% --porosity 30% --relative-density 70% --json"), 0);
     const auto soil = nlohmann::json::parse(out)["soils"][0];
@@ -93,7 +116,8 @@ TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {
     EXPECT_EQ(soil["criteria"][1]["verdict"], "unstable");
     EXPECT_EQ(soil["criteria"][1]["sense"], "at-least");
     EXPECT_EQ(soil["criteria"].back()["verified"], false);
-    for (const char* key : {"sizes", "uniformity", "finer_limit", "constrictions", "summary", "seepage", "gradients"}) {
+    for (const char* key :
+         {"sizes", "uniformity", "finer_limit", "constrictions", "summary", "seepage", "gradients", "atlas"}) {
         EXPECT_TRUE(soil.contains(key)) << key;
     }
 }

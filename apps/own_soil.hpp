@@ -3,6 +3,7 @@
 // its grains are fine and the number of grains that stand for it. What was decided on the way is kept as sentences.
 
 #include "suffuse/grains/soil.hpp"
+#include "suffuse/stability/flow_way.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -44,8 +45,7 @@ std::string soil_name(const std::string& path);
 /// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
 OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);
 
-/// Which way the water goes through a soil that has weight.
-enum class FlowWay { Up, Down, Level };
+using stability::FlowWay;
 
 /// What the soil is under. Assumed where the user does not say.
 struct OwnConditions {

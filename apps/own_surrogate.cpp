@@ -6,10 +6,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/surrogate.hpp"
-#include "suffuse/stability/curve.hpp"
-#include "suffuse/stability/filter_ratio.hpp"
-#include "suffuse/stability/kenney_lau.hpp"
-#include "suffuse/stability/open_curve.hpp"
+#include "suffuse/stability/unstable_split.hpp"
 
 #include <fmt/format.h>
 
@@ -22,40 +19,17 @@ namespace {
 
 using grains::Grading;
 
-struct Split {
-    double finer_than = 0; ///< [m]
-    std::string reason;
-};
-
-/// Where the criteria find the soil least stable: at its gap, else where the shape curve is worst, else at the split
-/// with the worst filter ratio. @throws CaseError where none of them finds it unstable.
-Split find_split(const Grading& measured, const std::string& path) {
-    constexpr double least_shape = 1, largest_filter = 4; // Kenney and Lau 1986, Kezdi 1979
-    const Grading sharp = stability::complete_ends(measured).front();
-    if (const auto gap = stability::find_gap(sharp)) {
-        return {gap->fine_end, "the fine end of the gap in the curve"};
-    }
-    const double limit = stability::finer_limit(grains::uniformity(sharp));
-    const auto shape = stability::least_measured_ratio(measured, limit, stability::shape_ratio_measure);
-    if (shape && shape->value < least_shape) {
-        return {
-            shape->at.diameter,
-            fmt::format("the worst split by Kenney and Lau 1986, H/F = {:.2g} of what was measured", shape->value)};
-    }
-    const stability::FilterRatio filter = stability::worst_filter_ratio(sharp);
-    if (filter.value > largest_filter) {
-        return {
-            grains::size_at(sharp, filter.split),
-            fmt::format("the worst split by Kezdi 1979, D15c/d85f = {:.2g}", filter.value)};
+/// @throws CaseError where no split of the curve is unstable
+stability::UnstableSplit find_split(const Grading& measured, const std::string& path) {
+    if (auto split = stability::find_unstable_split(measured)) {
+        return *split;
     }
     throw CaseError(
         fmt::format(
-            "{}: no split of this curve is unstable: it has no gap, H/F is at least {:.2g} (Kenney and Lau 1986: 1), "
-            "D15c/d85f at most {:.2g} (Kezdi 1979: 4)\n  = the coarse grains hold the finer ones; there are no fines "
+            "{}: no split of this curve is unstable: {}\n  = the coarse grains hold the finer ones; there are no fines "
             "that a surrogate could show to move\n  = all criteria: suffuse assess {}\n  = to simulate a split "
             "anyway, add --fines D",
-            path, shape ? shape->value : stability::least_shape_ratio(sharp, limit).value, filter.value,
-            shell_word(path)
+            path, stability::stable_everywhere_text(measured), shell_word(path)
         ),
         path
     );
@@ -92,7 +66,8 @@ std::vector<double> simulated_ratios(double of_soil, double content, double most
 
 OwnSurrogate
 model_surrogate(const Grading& measured, const std::string& path, std::optional<double> finer_than, double most) {
-    const Split split = finer_than ? Split{*finer_than, "as specified"} : find_split(measured, path);
+    const stability::UnstableSplit split =
+        finer_than ? stability::UnstableSplit{*finer_than, "as specified"} : find_split(measured, path);
     OwnSurrogate own;
     own.name = soil_name(path);
     own.reason = split.reason;

@@ -5,6 +5,7 @@
 #include "suffuse/figures/stability_overlay.hpp"
 #include "suffuse/figures/stability_view.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/job/atlas_words.hpp"
 #include "suffuse/job/draw_figures.hpp"
 #include "suffuse/job/scratch_folder.hpp"
 #include "suffuse/job/stability_matrix.hpp"
@@ -14,6 +15,7 @@
 
 #include "apps/json_text.hpp"
 #include "apps/page_folder.hpp"
+#include <utility>
 
 namespace suffuse::apps {
 
@@ -51,6 +53,21 @@ figures::Figure soil_and_filter(const job::AssessedSoil& soil) {
     );
 }
 
+/// What it says, above its table; where it has none, among the answers.
+void add_atlas(const job::AssessedSoil& soil, const stability::AssessSpec& spec, report::ReportData& data) {
+    job::AtlasWords words = job::atlas_words(job::consult_atlas(soil.measured, spec), *spec.seepage);
+    std::string note = as_sentence(words.heading) + ".";
+    for (const std::string& sentence : words.notes) {
+        note += " " + as_sentence(sentence) + ".";
+    }
+    if (words.table) {
+        words.table->note = note;
+        data.tables.push_back(std::move(*words.table));
+    } else {
+        data.answer.push_back(note);
+    }
+}
+
 } // namespace
 
 fs::path write_soil_page(
@@ -68,7 +85,11 @@ fs::path write_soil_page(
     data.opening.about_confidence =
         "The criteria ignore density, stress and flow. A simulation shows which grains are free to move.";
     if (spec.seepage) {
-        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + ":");
+        const bool is_upward = spec.seepage->is_upward();
+        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + (is_upward ? ":" : "."));
+        if (!is_upward) {
+            data.answer.push_back(as_sentence(job::no_heave_text) + ".");
+        }
     }
     for (const Criterion& criterion : soil.assessment.gradients) {
         data.answer.push_back(
@@ -79,6 +100,9 @@ fs::path write_soil_page(
         data.answer.push_back(as_sentence(job::constrictions_text(soil.assessment)) + ".");
     }
     data.tables = {figures::stability_table(soil.assessment)};
+    if (spec.seepage) {
+        add_atlas(soil, spec, data);
+    }
     data.figures = {figures::stability_grading(soil.assessment), figures::stability_shape(soil.assessment)};
     if (soil.filter) {
         data.opening.verdict.push_back(fmt::format("The filter {} {}.", soil.filter->name, soil.filter->check.outcome));

@@ -59,6 +59,7 @@ struct AssessVerb final : Verb {
     std::optional<double> seepage_gradient, relative_density, porosity;
     std::string density; ///< of the grains, with its unit
     std::optional<double> stress_share;
+    std::string flow;               ///< which way the water goes
     std::string alpha_from;         ///< folder of a run whose samples say it
     bool has_coarse_fabric = false; ///< uniformity of the coarse part alone
     std::string output;
@@ -76,9 +77,12 @@ struct AssessVerb final : Verb {
         options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
             .type("D");
-        options.value("-i,--gradient", seepage_gradient, "hydraulic gradient of upward seepage, as in 0.4 or 12m/30m")
+        options.value("-i,--gradient", seepage_gradient, "hydraulic gradient of the seepage, as in 0.4 or 12m/30m")
             .type("I")
             .ratio(0);
+        options.value("--flow", flow, "with -i: up, down or level; a head over a path through a dam is level")
+            .type("WAY")
+            .one_of({"up", "down", "level"});
         options.value("--relative-density", relative_density, "0 loosest, 1 densest; both unless given")
             .type("ID")
             .ratio(0, 1);
@@ -136,7 +140,11 @@ stability::AssessSpec with_alpha(
         verb.density.empty() ? std::nullopt
                              : std::optional(quantity_of(verb.density, dimension::density, "--density", false)),
         verb.stress_share};
-    return with_alpha_of_run(alpha, spec, soil, console);
+    stability::AssessSpec with = with_alpha_of_run(alpha, spec, soil, console);
+    if (with.seepage) {
+        with.seepage->flow = stability::flow_way_of(verb.flow);
+    }
+    return with;
 }
 
 stability::AssessSpec spec_of(const AssessVerb& verb) {
@@ -146,13 +154,13 @@ stability::AssessSpec spec_of(const AssessVerb& verb) {
     }
     spec.relative_density = verb.relative_density;
     spec.fabric = verb.has_coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
-    const bool has_seepage_options = verb.porosity || verb.stress_share || !verb.density.empty();
+    const bool has_seepage_options = verb.porosity || verb.stress_share || !verb.density.empty() || !verb.flow.empty();
     const bool has_run = !verb.alpha_from.empty() || std::ranges::any_of(verb.files, is_folder);
     if (has_seepage_options && !verb.seepage_gradient && !has_run) {
-        throw UsageError("--porosity, --density and --alpha go with a gradient: add -i I");
+        throw UsageError("--porosity, --density, --alpha and --flow go with a gradient: add -i I");
     }
     if (verb.seepage_gradient) {
-        stability::UpwardSeepage seepage;
+        stability::Seepage seepage;
         seepage.gradient = *verb.seepage_gradient;
         seepage.porosity = verb.porosity.value_or(seepage.porosity);
         if (!verb.density.empty()) {
@@ -268,7 +276,7 @@ std::string write_playground(
         );
     }
     report::PageSeepage seepage;
-    if (spec.seepage) {
+    if (spec.seepage && spec.seepage->is_upward()) { // its sliders know no other
         seepage = {
             spec.seepage->gradient, spec.seepage->porosity, spec.seepage->grain_density, spec.seepage->stress_share};
     }
@@ -320,6 +328,9 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (wants_page) {
         document["page"] = write_playground(*this, verb.front().spec, soils, list);
         text += "\n" + document["page"].get<std::string>();
+        if (spec.seepage && !spec.seepage->is_upward()) {
+            console.talk("the sliders of the page are of upward seepage: it does not show yours");
+        }
     }
     console.result(text);
     console.talk(next_step(soils));

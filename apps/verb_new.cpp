@@ -216,15 +216,8 @@ plan::RunPlan price_of(const fs::path& path) {
     return plan::plan_case(what, plan::samples_at_once(what));
 }
 
-std::optional<FlowWay> flow_of(const std::string& word) {
-    return word == "up"      ? std::optional(FlowWay::Up)
-           : word == "down"  ? std::optional(FlowWay::Down)
-           : word == "level" ? std::optional(FlowWay::Level)
-                             : std::nullopt;
-}
-
 OwnConditions conditions_of(const NewVerb& verb) {
-    OwnConditions conditions{{}, verb.gradient, flow_of(verb.flow)};
+    OwnConditions conditions{{}, verb.gradient, stability::flow_way_of(verb.flow)};
     if (!verb.pressure.empty()) {
         conditions.pressure = quantity_of(verb.pressure, dimension::pressure, "--pressure", false);
     }

@@ -1,5 +1,6 @@
 // Internal stability of a soil by its grading.
 
+#include "suffuse/atlas/row.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/grains/gradation.hpp"
@@ -24,19 +25,34 @@ grains::Grading grading_of(const grains::Grains& grains) {
 
 namespace {
 
-std::optional<stability::UpwardSeepage>
-seepage_of(const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha) {
+std::optional<stability::FlowWay> flow_of(const py::object& flow) {
+    if (flow.is_none()) {
+        return std::nullopt;
+    }
+    const auto word = py::str(flow).cast<std::string>();
+    const auto way = stability::flow_way_of(word);
+    if (!way) {
+        throw CaseError(fmt::format("flow = {}: expected up, down or level", word));
+    }
+    return way;
+}
+
+std::optional<stability::Seepage> seepage_of(
+    const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha,
+    const py::object& flow
+) {
     if (gradient.is_none()) {
-        if (!porosity.is_none() || !density.is_none() || !alpha.is_none()) {
-            throw CaseError("porosity, density and alpha go with a gradient: give gradient= too");
+        if (!porosity.is_none() || !density.is_none() || !alpha.is_none() || !flow.is_none()) {
+            throw CaseError("porosity, density, alpha and flow go with a gradient: give gradient= too");
         }
         return std::nullopt;
     }
-    stability::UpwardSeepage seepage;
+    stability::Seepage seepage;
     seepage.gradient = quantity_of(gradient, dimension::none, "gradient");
     seepage.porosity = optional_quantity(porosity, dimension::none, "porosity").value_or(seepage.porosity);
     seepage.grain_density = optional_quantity(density, dimension::density, "density").value_or(seepage.grain_density);
     seepage.stress_share = optional_quantity(alpha, dimension::none, "alpha");
+    seepage.flow = flow_of(flow);
     return seepage;
 }
 
@@ -69,13 +85,14 @@ job::AssessedSoil soil_of(const py::object& what) {
 
 py::object assess(
     const py::object& grading, const py::object& finer_than, const py::object& relative_density, bool coarse_fabric,
-    const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha
+    const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha,
+    const py::object& flow
 ) {
     stability::AssessSpec spec;
     spec.finer_than = optional_quantity(finer_than, dimension::length, "finer_than");
     spec.relative_density = optional_quantity(relative_density, dimension::none, "relative_density");
     spec.fabric = coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
-    spec.seepage = seepage_of(gradient, porosity, density, alpha);
+    spec.seepage = seepage_of(gradient, porosity, density, alpha, flow);
     job::AssessedSoil soil = soil_of(grading);
     soil.measured = soil.assessment.grading;
     soil.assessment = stability::assess_measured(soil.measured, spec);
@@ -90,8 +107,10 @@ void bind_stability(py::module_& m) {
     m.def(
         "assess", &assess, py::arg("grading"), py::kw_only(), py::arg("finer_than") = py::none(),
         py::arg("relative_density") = py::none(), py::arg("coarse_fabric") = false, py::arg("gradient") = py::none(),
-        py::arg("porosity") = py::none(), py::arg("density") = py::none(), py::arg("alpha") = py::none()
+        py::arg("porosity") = py::none(), py::arg("density") = py::none(), py::arg("alpha") = py::none(),
+        py::arg("flow") = py::none()
     );
+    m.def("atlas_table", &atlas::shipped_table);
 }
 
 } // namespace suffuse::python

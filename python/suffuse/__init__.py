@@ -57,7 +57,7 @@ from suffuse.progress import print_progress, progress
 from suffuse.records import Records
 from suffuse.run import Case, Figure, Pass, Run, Stage
 from suffuse.sample import constrictions, largest_overlap, make_cloud, resolve_flow, seep, set_threads
-from suffuse.stability import Assessment, assess
+from suffuse.stability import Assessment, assess, atlas
 from suffuse.views import View
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (

@@ -1,8 +1,10 @@
-"""Internal stability of a soil by its grading alone, without simulation."""
+"""Internal stability of a soil by its grading alone, and the atlas of soils that were simulated before."""
 
+import csv
 import pathlib
 
 from suffuse import _core
+from suffuse.records import gather
 
 
 class Assessment(dict):
@@ -31,11 +33,22 @@ def assess(grading, **settings):
     finer_than: size below which grains count as fine; found on the curve unless given
     relative_density: 0 loosest, 1 densest; both unless given
     coarse_fabric: D60/D10 of the coarse part decides up to which F
-    gradient: hydraulic gradient of upward seepage; with it porosity, density (of the grains), alpha (mean stress of the
-        fines over that of the soil)
+    gradient: hydraulic gradient of the seepage; with it porosity, density (of the grains), alpha (mean stress of the
+        fines over that of the soil), flow ("up", "down" or "level"; upward unless given)
 
     Criteria that need what the curve does not reach cannot say.
     """
     if isinstance(grading, str):
         grading = pathlib.Path(grading)
     return Assessment(_core.assess(grading, **settings))
+
+
+def atlas():
+    """The atlas of gradients that move the fines of simulated gap-graded soils, as Records: a row a sample and flow.
+
+    ratio: D50/d50 of the two fractions; fines: their share of the mass; alpha: mean stress of the fines over that of the
+    soil. i_c is the gradient of heave; i1, i10 and i50 move 1, 10 and 50 % of the fines' mass: not a number where they were
+    not reached, upper bounds where i1_at_most, i10_at_most, i50_at_most are 1. drag_share: of the seepage force, on the
+    fines; load_bearing and sifting: shares of the fines' mass that carry load, and that fall through without flow.
+    """
+    return gather(list(csv.DictReader(_core.atlas_table().splitlines())))

@@ -99,3 +99,21 @@ def test_wrong_use_is_named(dyke):
             suffuse.assess(wrong)
     with pytest.raises(suffuse.Error):
         suffuse.assess((numpy.array([1e-3, 2e-3]), numpy.array([0.5, 0.2])))
+
+
+def test_of_level_flow_only_the_atlas_says_something(dyke):
+    found = suffuse.assess(dyke, gradient=0.3, flow="level")
+    assert found["gradients"] == [] and {entry["flow"] for entry in found["atlas"]} == {"level"}
+    with pytest.raises(suffuse.CaseError, match="expected up, down or level"):
+        suffuse.assess(dyke, gradient=0.3, flow="sideways")
+    with pytest.raises(suffuse.CaseError, match="give gradient= too"):
+        suffuse.assess(dyke, flow="level")
+
+
+def test_the_atlas_is_a_table_of_samples():
+    rows = suffuse.atlas()
+    assert len(rows) > 0 and set(rows["flow"]) <= {"up", "level"} and set(rows["density"]) <= {"loose", "medium", "dense"}
+    heave = 1.65 * (1 - rows["porosity"])  # grains of 2650 kg/m3
+    upward = rows["flow"] == "up"
+    assert rows["i_c"][upward] == pytest.approx(heave[upward], rel=1e-4) and numpy.isnan(rows["i_c"][~upward]).all()
+    assert set(rows.units.values()) == {"-"}

@@ -1,10 +1,13 @@
 #include "suffuse/answer/basis.hpp"
 
 #include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/atlas/look_up.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
+#include "suffuse/grains/surrogate.hpp"
+#include "suffuse/stability/critical_gradient.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -29,14 +32,60 @@ struct Doubt {
 /// One estimate of the gradient that moves 1 % of the fines.
 struct Estimate {
     double gradient = 0;
-    const char* by = "";
+    std::string by;
 };
 
 /// The gradient that moves 1 % over that which lifts single grains: 1.07 with a spread of 11 % over 12 samples
 /// (theory/surrogates.md), all under upward flow.
 constexpr double moves_over_single = 1.07;
 
-std::vector<Estimate> all_estimates(const MobilityStory& story) {
+/// The two parts of what was simulated.
+struct Parts {
+    double size_ratio = 0, fines_content = 0;
+};
+
+std::optional<Parts> parts_of(const grains::Soil& soil) {
+    if (soil.coarse && soil.fines) {
+        return Parts{grains::size_at(*soil.coarse, 0.5) / grains::size_at(*soil.fines, 0.5), soil.fines_content};
+    }
+    if (!soil.whole || !soil.finer_than) {
+        return std::nullopt;
+    }
+    const auto ratio = grains::size_ratio(*soil.whole, *soil.finer_than);
+    return ratio ? std::optional(Parts{*ratio, grains::passing(*soil.whole, *soil.finer_than)}) : std::nullopt;
+}
+
+/// Nothing for flows that the atlas lacks.
+std::optional<atlas::Flow> flow_of(const erosion::MobilityResult& mobility) {
+    const double downward = dot(mobility.down, mobility.direction);
+    return downward < -0.9999          ? std::optional(atlas::Flow::Up)
+           : std::abs(downward) < 1e-4 ? std::optional(atlas::Flow::Level)
+                                       : std::nullopt;
+}
+
+void add_atlas(const MobilityStory& story, const std::vector<atlas::Row>& rows, std::vector<Estimate>& estimates) {
+    const std::optional<grains::Soil>& soil = story.first->variant->soil;
+    const auto parts = soil ? parts_of(*soil) : std::nullopt;
+    const auto flow = flow_of(story.one());
+    if (!parts || !flow) {
+        return;
+    }
+    for (const atlas::Density density : atlas::densities_of(rows, *flow)) {
+        const atlas::Found found = atlas::look_up(rows, parts->size_ratio, parts->fines_content, density, *flow);
+        if (found.node && found.node->moves_1) {
+            const double heave =
+                stability::terzaghi_gradient(found.node->porosity, story.first->variant->material.density);
+            estimates.push_back(
+                {heave * found.node->moves_1->mean,
+                 fmt::format(
+                     "atlas, {}{}", atlas::name_of(density), found.node->moves_1->is_at_most ? ", at most" : ""
+                 )}
+            );
+        }
+    }
+}
+
+std::vector<Estimate> all_estimates(const MobilityStory& story, const std::vector<atlas::Row>& rows) {
     std::vector<Estimate> estimates;
     if (story.skempton_brogan.seeds > 0) {
         estimates.push_back({story.skempton_brogan.mean, "α i_c, Skempton and Brogan"});
@@ -46,6 +95,7 @@ std::vector<Estimate> all_estimates(const MobilityStory& story) {
     if (is_upward && one.single_grain_gradient) {
         estimates.push_back({moves_over_single * *one.single_grain_gradient, "lift of single grains"});
     }
+    add_atlas(story, rows, estimates);
     if (story.moves_1.seeds > 0) {
         estimates.push_back({story.moves_1.mean, "simulated"});
     }
@@ -150,8 +200,8 @@ void doubt_stress(const MobilityStory& story, std::vector<Doubt>& doubts) {
 
 } // namespace
 
-std::string estimates_of(const MobilityStory& story) {
-    const std::vector<Estimate> estimates = all_estimates(story);
+std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Row>& rows) {
+    const std::vector<Estimate> estimates = all_estimates(story, rows);
     if (estimates.size() < 2) {
         return "";
     }

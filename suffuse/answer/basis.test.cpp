@@ -1,5 +1,6 @@
 #include "suffuse/answer/basis.hpp"
 
+#include "suffuse/atlas/rows_for_tests.hpp"
 #include "suffuse/grains/surrogate.hpp"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,21 @@ TEST_F(Basis, UnderLevelFlowNothingIsLiftedAndTheVerdictHasTheOnlyEstimate) {
     mobility_.direction = {1, 0, 0};
     mobility_.heave_gradient.reset(), mobility_.skempton_brogan_gradient.reset();
     EXPECT_EQ(estimates_of(story(20, 0)), "");
+}
+
+TEST_F(Basis, ASoilWithinTheAtlasHasAnEstimateOfEachOfItsDensities) {
+    variant_.soil->whole =
+        grains::Grading{{1e-4, 2e-4, 5e-4, 1e-3}, {0, 0.2, 0.2, 1}, ""}; // medians a factor of 5 apart
+    variant_.soil->finer_than = 2e-4;
+    atlas::Row loose = atlas::test::row_at(5, 0.2, 0.2), dense = atlas::test::row_at(5, 0.2, 0.25);
+    dense.density = atlas::Density::Dense, dense.moves_1.is_at_most = true;
+    variant_.material.density = 2650;
+    const std::string text = estimates_of(story(20, 0), {loose, dense});
+    EXPECT_NE(text.find("0.20 (atlas, loose), 0.25 "), std::string::npos) << text;
+    EXPECT_NE(text.find("(atlas, dense, at most), 0.30 (simulated)."), std::string::npos) << text;
+    EXPECT_EQ(estimates_of(story(20, 0), {}).find("atlas"), std::string::npos);
+    mobility_.direction = {1, 0, 0};
+    EXPECT_EQ(estimates_of(story(20, 0), {loose, dense}).find("atlas"), std::string::npos) << "it has no level flow";
 }
 
 TEST_F(Basis, AWideRestedWholeSampleWhoseMotionEndedLeavesNoDoubt) {

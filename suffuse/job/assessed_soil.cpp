@@ -2,6 +2,7 @@
 
 #include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/job/atlas_words.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/stability/size_classes.hpp"
 
@@ -101,8 +102,11 @@ std::string heading(const char* first) {
     return fmt::format("  {:25}{:27}{:14}{}\n", first, "number", "stable if", "verdict");
 }
 
-std::string gradient_lines(const stability::UpwardSeepage& seepage, const Assessment& found, std::size_t columns) {
+std::string gradient_lines(const stability::Seepage& seepage, const Assessment& found, std::size_t columns) {
     std::string text = "\n  " + seepage_text(seepage) + "\n";
+    if (!seepage.is_upward()) {
+        text += fmt::format("  {}\n", no_heave_text);
+    }
     for (const Criterion& criterion : found.gradients) {
         text += line_of(criterion, columns);
     }
@@ -110,6 +114,9 @@ std::string gradient_lines(const stability::UpwardSeepage& seepage, const Assess
 }
 
 } // namespace
+
+const char* const no_heave_text =
+    "only upward flow lifts grains: heave i_c and alpha i_c of Skempton and Brogan are no limits here";
 
 namespace {
 
@@ -168,6 +175,7 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
         about["classes"] = {
             {"astm", classes_json(stability::astm_classes(soil.measured))},
             {"iso", classes_json(stability::iso_classes(soil.measured))}};
+        about["atlas"] = atlas_json(consult_atlas(soil.measured, spec), spec);
     }
     if (found.gap) {
         about["gap"] = {{"from", found.gap->fine_end}, {"to", found.gap->coarse_end}, {"finer", found.gap->finer}};
@@ -192,7 +200,8 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
             {"gradient", spec.seepage->gradient},
             {"porosity", spec.seepage->porosity},
             {"grain_density", spec.seepage->grain_density},
-            {"stress_share", or_null(spec.seepage->stress_share)}};
+            {"stress_share", or_null(spec.seepage->stress_share)},
+            {"flow", spec.seepage->flow ? json(stability::name_of(*spec.seepage->flow)) : json(nullptr)}};
     }
     if (soil.filter) {
         about["filter"] = filter_json(*soil.filter);
@@ -200,10 +209,14 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
     return about;
 }
 
-std::string seepage_text(const stability::UpwardSeepage& seepage) {
+std::string seepage_text(const stability::Seepage& seepage) {
+    const stability::FlowWay way = seepage.flow.value_or(stability::FlowWay::Up);
     return fmt::format(
-        "upward seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3", seepage.gradient, seepage.porosity,
-        seepage.grain_density
+        "{} seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3",
+        way == stability::FlowWay::Up     ? "upward"
+        : way == stability::FlowWay::Down ? "downward"
+                                          : "level",
+        seepage.gradient, seepage.porosity, seepage.grain_density
     );
 }
 
@@ -253,6 +266,9 @@ std::string text_of(const AssessedSoil& soil, const stability::AssessSpec& spec,
     }
     if (spec.seepage) {
         text += gradient_lines(*spec.seepage, found, columns);
+        text += soil.measured.diameter.empty()
+                    ? ""
+                    : "\n" + text_of(atlas_words(consult_atlas(soil.measured, spec), *spec.seepage));
     }
     if (found.has_constrictions) {
         text += "\n  " + constrictions_text(found, "\n  ") + "\n";

@@ -30,7 +30,8 @@ nlohmann::json soil_json(const AssessedSoil& soil, const stability::AssessSpec& 
 
 /// What the critical gradients are computed from, and how the fines compare with the constrictions: sentences without
 /// their capital and their point. @param join between the two halves
-std::string seepage_text(const stability::UpwardSeepage& seepage);
+std::string seepage_text(const stability::Seepage& seepage);
+extern const char* const no_heave_text; ///< of seepage that is not upward
 std::string constrictions_text(const stability::Assessment& assessment, const char* join = " ");
 
 /// "the filter filter.csv fails by 2 of 9 rules: ...".

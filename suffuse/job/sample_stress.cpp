@@ -94,11 +94,11 @@ SampleStress read_sample_stress(const fs::path& run, const std::string& soil) {
     return stress;
 }
 
-stability::UpwardSeepage seepage_of(
+stability::Seepage seepage_of(
     const SampleStress& stress, std::optional<double> gradient, std::optional<double> porosity,
     std::optional<double> density
 ) {
-    stability::UpwardSeepage seepage;
+    stability::Seepage seepage;
     seepage.gradient = gradient.value_or(stress.specified_gradient.value_or(0));
     seepage.porosity = porosity.value_or(stress.porosity);
     seepage.grain_density = density.value_or(stress.grain_density);

@@ -26,7 +26,7 @@ SampleStress read_sample_stress(const std::filesystem::path& run, const std::str
 
 /// The same soil under upward seepage, with what the run knows of it where the user says nothing.
 /// @param gradient, porosity, density as specified; the run's unless given
-stability::UpwardSeepage seepage_of(
+stability::Seepage seepage_of(
     const SampleStress& stress, std::optional<double> gradient, std::optional<double> porosity,
     std::optional<double> density
 );

@@ -32,11 +32,8 @@ void check(const AssessSpec& spec) {
     if (!spec.seepage) {
         return;
     }
-    const UpwardSeepage& seepage = *spec.seepage;
-    require(
-        seepage.gradient >= 0,
-        fmt::format("a hydraulic gradient of {:.6g}: upward seepage is positive", seepage.gradient)
-    );
+    const Seepage& seepage = *spec.seepage;
+    require(seepage.gradient >= 0, fmt::format("a hydraulic gradient of {:.6g}: it is 0 or more", seepage.gradient));
     require(
         seepage.porosity > 0 && seepage.porosity < 1,
         fmt::format("a porosity of {:.6g}: it must be between 0 and 1, for soils usually 0.2 to 0.6", seepage.porosity)
@@ -100,7 +97,7 @@ Assessment assess(const Grading& grading, const AssessSpec& spec) {
         sherard(grading, fines),
         wan_fell_alternative(grading, fines),
         indraratna(assessment.constrictions, spec.relative_density)};
-    if (spec.seepage) {
+    if (spec.seepage && spec.seepage->is_upward()) {
         assessment.gradients = {
             terzaghi(*spec.seepage), skempton_brogan(*spec.seepage, assessment.criteria[kenney_lau_1985_row].verdict)};
     }

@@ -24,7 +24,7 @@ struct AssessSpec {
     std::optional<double> finer_than = {};       ///< fine fraction [m]; found on the curve where not given
     std::optional<double> relative_density = {}; ///< 0 to 1 [-]
     PrimaryFabric fabric = PrimaryFabric::Soil;
-    std::optional<UpwardSeepage> seepage = {};
+    std::optional<Seepage> seepage = {};
 };
 
 struct Assessment {
@@ -33,7 +33,7 @@ struct Assessment {
     std::optional<FineFraction> fines;
     double finer_limit = 0;           ///< up to which F Kenney and Lau look [-]
     std::vector<Criterion> criteria;  ///< of the grading
-    std::vector<Criterion> gradients; ///< of the seepage; empty where there is none
+    std::vector<Criterion> gradients; ///< of upward seepage; empty where there is none
     FinesAgainstConstrictions constrictions;
     bool has_constrictions = true; ///< false: they depend on what was not measured
 

@@ -110,9 +110,9 @@ TEST(Assess, BadNumbersAreRefusedWithTheirRange) {
     const grains::Grading grading = box(1e-4, 1e-3);
     EXPECT_THROW(assess(grading, {.finer_than = 2e-3}), CaseError);
     EXPECT_THROW(assess(grading, {.relative_density = 60}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.gradient = -1}}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.porosity = 40}}), CaseError);
-    EXPECT_THROW(assess(grading, {.seepage = UpwardSeepage{.grain_density = 2.65}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = Seepage{.gradient = -1}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = Seepage{.porosity = 40}}), CaseError);
+    EXPECT_THROW(assess(grading, {.seepage = Seepage{.grain_density = 2.65}}), CaseError);
     EXPECT_THROW(assess({{1e-3}, {1}, ""}), CaseError);
 }
 
@@ -180,7 +180,7 @@ TEST(SkemptonBrogan, NeedsTheStressShareOfTheFinesWhereTheSoilIsUnstable) {
 // A power law has (H/F)min = 4^m - 1: 1.15, between the two limits of Kenney and Lau, and 1.64, above both.
 TEST(SkemptonBrogan, TakesAllGrainsToCarryOnlyWhereBothLimitsOfKenneyAndLauSayStable) {
     AssessSpec spec;
-    spec.seepage = UpwardSeepage{.gradient = 0.297};
+    spec.seepage = Seepage{.gradient = 0.297};
     const Assessment between = assess(testing::power_law(std::log(2.15) / std::log(4)), spec);
     ASSERT_EQ(of(between, "kenney-lau-1986").verdict, Verdict::Stable);
     ASSERT_EQ(of(between, "kenney-lau-1985").verdict, Verdict::Unstable);
@@ -194,7 +194,7 @@ TEST(SkemptonBrogan, TakesAllGrainsToCarryOnlyWhereBothLimitsOfKenneyAndLauSaySt
 
 TEST(Assess, EveryCriterionIsExplainedWithItsSource) {
     AssessSpec spec;
-    spec.seepage = UpwardSeepage{};
+    spec.seepage = Seepage{};
     const Assessment found = assess(testing::power_law(0.5), spec);
     std::vector<std::string> ids;
     for (const auto& list : {found.criteria, found.gradients}) {
@@ -226,6 +226,17 @@ TEST(Assess, EveryCriterionIsInTheDocumentation) {
         EXPECT_NE(formats.find("`" + id + "`"), std::string::npos) << id;
         EXPECT_NE(theory.find("[" + source), std::string::npos) << id << ": " << source;
         EXPECT_NE(references.find("{" + source + ","), std::string::npos) << id << ": " << source;
+    }
+}
+
+TEST(Assess, LevelAndDownwardSeepageLiftNothingAndHaveNoCriticalGradient) {
+    const grains::Grading grading{{0.1e-3, 0.2e-3, 1e-3, 2e-3}, {0, 0.2, 0.2, 1}, ""};
+    AssessSpec spec;
+    spec.seepage = Seepage{.gradient = 0.3, .flow = FlowWay::Up};
+    EXPECT_EQ(assess(grading, spec).gradients.size(), 2U);
+    for (const FlowWay way : {FlowWay::Level, FlowWay::Down}) {
+        spec.seepage->flow = way;
+        EXPECT_TRUE(assess(grading, spec).gradients.empty()) << name_of(way);
     }
 }
 

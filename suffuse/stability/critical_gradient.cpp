@@ -11,7 +11,7 @@ namespace {
 constexpr double water_density = 1000; // [kg/m3]
 
 /// Number i, limit i_c, and what is left of it.
-Criterion against(std::string_view id, const UpwardSeepage& seepage, double critical) {
+Criterion against(std::string_view id, const Seepage& seepage, double critical) {
     Criterion criterion = define(id);
     criterion.value = seepage.gradient;
     criterion.limit = critical;
@@ -31,13 +31,13 @@ double terzaghi_gradient(double porosity, double grain_density) {
     return (grain_density / water_density - 1) * (1 - porosity);
 }
 
-Criterion terzaghi(const UpwardSeepage& seepage) {
+Criterion terzaghi(const Seepage& seepage) {
     Criterion criterion = against("terzaghi", seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
     criterion.remark = factor_of_safety(criterion);
     return criterion;
 }
 
-Criterion skempton_brogan(const UpwardSeepage& seepage, Verdict by_shape) {
+Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
     const double whole = terzaghi_gradient(seepage.porosity, seepage.grain_density);
     const bool all_carry = by_shape == Verdict::Stable;
     const double share = seepage.stress_share.value_or(1);

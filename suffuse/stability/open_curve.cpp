@@ -184,7 +184,7 @@ Assessment assess_measured(const Grading& measured, const AssessSpec& spec) {
                                   same(other.constrictions.densest_passes, found.constrictions.densest_passes) &&
                                   same(other.constrictions.loosest_passes, found.constrictions.loosest_passes);
     }
-    if (spec.seepage) {
+    if (!found.gradients.empty()) {
         found.gradients[1] = skempton_brogan(*spec.seepage, found.criteria[kenney_lau_1985_row].verdict);
     }
     return found;

@@ -117,7 +117,7 @@ TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {
 
 TEST(OpenCurve, TheGradientOfTheFinesAccountsForWhatTheCurveDoesNotShow) {
     AssessSpec spec;
-    spec.seepage = UpwardSeepage{};
+    spec.seepage = Seepage{};
     const Assessment found = assess_measured({{0.2e-3, 0.4e-3, 0.8e-3}, {0.12, 0.6, 1}, ""}, spec);
     ASSERT_EQ(found.gradients.size(), 2U);
     EXPECT_EQ(found.gradients[1].verdict, Verdict::CannotSay);
