@@ -3,7 +3,7 @@
 
 A row is one sample under one flow. They lie in suffuse/atlas/gradients.csv, which is built into the program. Rows that are
 there are not computed again, so that it can be made in portions: ./run validation/atlas.py --ratio 6.5 --density ends
---seeds 1. Without words it makes all."""
+--seeds 1. Without words it makes all. It ends with a map of what is there; --draw makes the map alone."""
 
 import argparse
 import math
@@ -66,20 +66,52 @@ def make(given, samples, study, ratio, content, seed):
             print(name, f"seed {seed}", *(f"{k} {v:.3g}" for k, v in row_of(run[name]).items()), file=sys.stderr, flush=True)
 
 
+def nodes_of(samples):
+    """What upward flow needs to move 1 % of the fines, over i_c: the mean over the seeds of each place on the map."""
+    places = {}
+    for row in samples.of(flow="up"):
+        places.setdefault((row["ratio"], row["fines"], row["density"]), []).append(row["i1"] / row["i_c"])
+    return [
+        {"size ratio": ratio, "fines": 100 * fines, "density": density, "i1/i_c": round(sum(found) / len(found), 3)}
+        for (ratio, fines, density), found in sorted(places.items())
+        if not any(map(math.isnan, found))
+    ]
+
+
+def draw_map(given, samples):
+    axes = {
+        "x": {"field": "fines", "type": "ordinal", "title": "fines content [%]", "axis": {"labelAngle": 0}},
+        "y": {"field": "size ratio", "type": "ordinal", "title": "size ratio D50/d50 [-]", "sort": "descending"},
+    }
+    color = {"field": "i1/i_c", "type": "quantitative", "scale": {"scheme": "viridis", "domain": [0, 1]}, "title": "i1/i_c"}
+    label = {"field": "i1/i_c", "type": "quantitative", "format": ".2f"}
+    text_color = {"condition": {"test": "datum['i1/i_c'] > 0.6", "value": "black"}, "value": "white"}
+    common.draw(given, "atlas", {
+        "data": {"values": nodes_of(samples)},
+        "facet": {"column": {"field": "density", "type": "nominal", "title": None, "sort": ["loose", "medium", "dense"]}},
+        "spec": {"width": {"step": 46}, "height": {"step": 34}, "layer": [
+            {"mark": "rect", "encoding": {**axes, "color": color}},
+            {"mark": {"type": "text", "fontSize": 11}, "encoding": {**axes, "text": label, "color": text_color}},
+        ]},
+    })
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], add_help=False)
     parser.add_argument("--ratio", type=float, choices=RATIOS, action="append")
     parser.add_argument("--density", choices=DENSITIES, action="append")
     parser.add_argument("--seeds", type=int, default=len(SEEDS), help="the first so many")
+    parser.add_argument("--draw", action="store_true", help="the map of what is there, alone")
     portion, rest = parser.parse_known_args()
     sys.argv[1:] = rest
     given = common.options(__doc__)
     samples = common.Samples(given, "atlas", home=HOME)
-    for study in portion.density or DENSITIES:
+    for study in [] if portion.draw else portion.density or DENSITIES:
         for seed in SEEDS[:portion.seeds]:
             for ratio in portion.ratio or RATIOS:
                 for content in CONTENTS:
                     make(given, samples, study, ratio, content, seed)
+    draw_map(given, samples)
 
 
 main()

@@ -184,7 +184,7 @@ std::string scatter_note(const AtlasAnswer& answer) {
     return fmt::format("scatter among {} samples: {}", fewest, fmt::join(scatters, ", "));
 }
 
-/// Nothing where hardly any fines sift.
+/// Nothing where no more than a trace of the fines sifts.
 std::optional<std::string> sifting_note(const AtlasAnswer& answer) {
     std::map<atlas::Density, double> shares;
     for (const Found* const found : all_found(answer)) {
