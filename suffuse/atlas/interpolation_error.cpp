@@ -3,6 +3,7 @@
 #include "suffuse/atlas/node.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace suffuse::atlas {

@@ -6,8 +6,10 @@
 
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <string>
+#include <system_error>
 
 namespace suffuse::atlas {
 namespace {

@@ -90,37 +90,55 @@ figures::PageTable table_of(const AtlasAnswer& answer, const Seepage& seepage) {
     return table;
 }
 
-/// "10 % or more", as far as bounds let that be said.
-std::string moved_text(const Node& node, const Seepage& seepage) {
+/// Share of the fines' mass that a gradient moves, as far as bounds let that be said.
+enum class Moved { Unknown, Below1, From1, From1To10, From10 };
+
+const char* words_of(Moved moved) {
+    switch (moved) {
+    case Moved::Below1:
+        return "less than 1 %";
+    case Moved::From1:
+        return "1 % or more";
+    case Moved::From1To10:
+        return "1 to 10 %";
+    case Moved::From10:
+        return "10 % or more";
+    case Moved::Unknown:
+        break;
+    }
+    return "an unknown share";
+}
+
+Moved moved_at(const Node& node, const Seepage& seepage) {
     const auto reaches = [&](const std::optional<Value>& value) {
         return value && seepage.gradient >= heave_of(node, seepage) * value->mean;
     };
     const auto may_be_lower = [](const std::optional<Value>& value) { return !value || value->is_at_most; };
     if (reaches(node.moves_10)) {
-        return "10 % or more";
+        return Moved::From10;
     }
     if (reaches(node.moves_1)) {
-        return may_be_lower(node.moves_10) ? "1 % or more" : "1 to 10 %";
+        return may_be_lower(node.moves_10) ? Moved::From1 : Moved::From1To10;
     }
-    return may_be_lower(node.moves_1) ? "an unknown share" : "less than 1 %";
+    return may_be_lower(node.moves_1) ? Moved::Unknown : Moved::Below1;
 }
 
 /// "upward flow moves 10 % or more (loose), 1 to 10 % (dense)"; empty where nothing is inside.
 std::string moved_by(const AtlasFlow& flow, const Seepage& seepage) {
-    std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+    std::vector<std::pair<Moved, std::vector<std::string>>> groups;
     for (const Found& found : flow.of_density) {
         if (!found.node) {
             continue;
         }
-        const std::string share = moved_text(*found.node, seepage);
-        if (groups.empty() || groups.back().first != share) {
-            groups.emplace_back(share, std::vector<std::string>{});
+        const Moved moved = moved_at(*found.node, seepage);
+        if (groups.empty() || groups.back().first != moved) {
+            groups.emplace_back(moved, std::vector<std::string>{});
         }
         groups.back().second.emplace_back(atlas::name_of(found.density));
     }
     std::vector<std::string> texts;
-    for (const auto& [share, densities] : groups) {
-        texts.push_back(fmt::format("{} ({})", share, fmt::join(densities, " and ")));
+    for (const auto& [moved, densities] : groups) {
+        texts.push_back(fmt::format("{} ({})", words_of(moved), fmt::join(densities, " and ")));
     }
     return texts.empty() ? "" : fmt::format("{} flow moves {}", words_of(flow.flow), fmt::join(texts, ", "));
 }
