@@ -234,6 +234,10 @@ TEST_F(Assess, ReadsStandardInputAndPipesUpToTheSizeOfAGrading) {
 }
 
 TEST_F(Assess, WritesAPageToPlayWith) {
+    EXPECT_EQ(call("dyke.csv --page -i 0.25 --flow level -o level.html"), 0);
+    expect_in("the sliders of the page are of upward seepage", error);
+    expect_in("\"place\":{\"fines\":0.25,", read_all(folder / "level.html"));
+    EXPECT_EQ(read_all(folder / "level.html").find("\"gradient\":0.25"), std::string::npos);
     EXPECT_EQ(call("dyke.csv --page -i 0.25 --alpha 0.2 -o dyke.html"), 0);
     const std::string page = read_all(folder / "dyke.html");
     expect_in("\"gradient\":0.25", page);

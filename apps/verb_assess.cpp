@@ -264,6 +264,16 @@ fs::path page_file(const AssessVerb& verb) {
     return has_one_name ? fs::path(verb.files.front()).stem().string() + "-stability.html" : std::string("assess.html");
 }
 
+/// Where the program found a soil in the atlas.
+std::optional<report::PagePlace> place_of(const json& about) {
+    const json list = about.value("atlas", json::array());
+    if (list.empty()) {
+        return std::nullopt;
+    }
+    const bool is_inside = std::ranges::any_of(list, [](const json& entry) { return entry.at("inside").get<bool>(); });
+    return report::PagePlace{list.front().at("size_ratio"), list.front().at("fines_content"), is_inside};
+}
+
 std::string write_playground(
     const AssessVerb& verb, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils,
     const json& about
@@ -272,7 +282,8 @@ std::string write_playground(
     for (std::size_t k = 0; k < soils.size(); ++k) {
         const grains::Grading& measured = soils[k].measured;
         shown_soils.push_back(
-            {soils[k].name, measured.diameter, measured.passing, about[k].value("filter", json(nullptr))}
+            {soils[k].name, measured.diameter, measured.passing, about[k].value("filter", json(nullptr)),
+             place_of(about[k])}
         );
     }
     report::PageSeepage seepage;
@@ -328,7 +339,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (wants_page) {
         document["page"] = write_playground(*this, verb.front().spec, soils, list);
         text += "\n" + document["page"].get<std::string>();
-        if (spec.seepage && !spec.seepage->is_upward()) {
+        if (const auto& seepage = verb.front().spec.seepage; seepage && !seepage->is_upward()) {
             console.talk("the sliders of the page are of upward seepage: it does not show yours");
         }
     }

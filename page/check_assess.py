@@ -64,6 +64,8 @@ def check_view(program, browser, folder):
             wrong.append(f"α {alpha}: the button that forgets it is {'shown' if alpha is None else 'hidden'}")
         if "specified 0.30" not in dom or "heave 0.99" not in dom:
             wrong.append("the gradients are not drawn on their line")
+        if 'class="cell"' not in dom or 'class="place"' not in dom or "The ring is this soil" not in dom:
+            wrong.append("the map of the atlas lacks its cells or the soil")
     return wrong + check_print(program, opened, folder)
 
 

@@ -100,6 +100,7 @@ std::vector<Node> gather_nodes(const std::vector<Row>& rows, Density density, Fl
         }
     }
     std::vector<Node> nodes;
+    nodes.reserve(by_place.size());
     for (auto& [place, samples] : by_place) {
         nodes.push_back(node_of(std::move(samples)));
     }

@@ -137,6 +137,7 @@ std::string moved_by(const AtlasFlow& flow, const Seepage& seepage) {
         groups.back().second.emplace_back(atlas::name_of(found.density));
     }
     std::vector<std::string> texts;
+    texts.reserve(groups.size());
     for (const auto& [moved, densities] : groups) {
         texts.push_back(fmt::format("{} ({})", words_of(moved), fmt::join(densities, " and ")));
     }
@@ -211,6 +212,7 @@ std::optional<std::string> sifting_note(const AtlasAnswer& answer) {
         }
     }
     std::vector<std::string> texts;
+    texts.reserve(shares.size());
     for (const auto& [density, share] : shares) {
         texts.push_back(fmt::format("{:.2g} % of their mass ({})", 100 * share, atlas::name_of(density)));
     }

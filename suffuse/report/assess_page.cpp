@@ -1,5 +1,6 @@
 #include "suffuse/report/assess_page.hpp"
 
+#include "suffuse/atlas/node.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/stability/criterion_guide.hpp"
@@ -41,13 +42,40 @@ nlohmann::json definitions() {
     return all;
 }
 
+nlohmann::json place_json(const std::optional<PagePlace>& place) {
+    return place ? nlohmann::
+                       json{{"ratio", place->size_ratio}, {"fines", place->fines_content}, {"inside", place->is_inside}}
+                 : nlohmann::json(nullptr);
+}
+
+/// The nodes of upward flow.
+nlohmann::json atlas_nodes() {
+    nlohmann::json list = nlohmann::json::array();
+    for (const atlas::Density density : {atlas::Density::Loose, atlas::Density::Medium, atlas::Density::Dense}) {
+        for (const atlas::Node& node : atlas::gather_nodes(atlas::shipped_rows(), density, atlas::Flow::Up)) {
+            list.push_back(
+                {{"ratio", node.size_ratio},
+                 {"fines", node.fines_content},
+                 {"density", atlas::name_of(density)},
+                 {"i1", node.moves_1 ? nlohmann::json(node.moves_1->mean) : nlohmann::json(nullptr)},
+                 {"at_most", node.moves_1 && node.moves_1->is_at_most}}
+            );
+        }
+    }
+    return list;
+}
+
 } // namespace
 
 std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& seepage, const std::string& program) {
     nlohmann::json list = nlohmann::json::array();
     for (const PageSoil& soil : soils) {
         list.push_back(
-            {{"name", as_utf8(soil.name)}, {"d", soil.diameter}, {"f", soil.passing}, {"filter", soil.filter}}
+            {{"name", as_utf8(soil.name)},
+             {"d", soil.diameter},
+             {"f", soil.passing},
+             {"filter", soil.filter},
+             {"place", place_json(soil.place)}}
         );
     }
     nlohmann::json settings = {
@@ -60,7 +88,8 @@ std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& s
     }
     std::string page(assess_template().substr(1));
     put(page, "@PROGRAM@", program);
-    put(page, "@DATA@", as_data({{"soils", list}, {"seepage", settings}, {"criteria", definitions()}}));
+    put(page, "@DATA@",
+        as_data({{"soils", list}, {"seepage", settings}, {"criteria", definitions()}, {"atlas", atlas_nodes()}}));
     return page;
 }
 

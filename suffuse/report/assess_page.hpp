@@ -11,10 +11,17 @@
 
 namespace suffuse::report {
 
+/// Where a soil is on the map of the atlas.
+struct PagePlace {
+    double size_ratio = 0, fines_content = 0;
+    bool is_inside = false;
+};
+
 struct PageSoil {
     std::string name;
     std::vector<double> diameter, passing; ///< as measured: sizes rising [m], shares finer [-]
     nlohmann::json filter = nullptr;       ///< what `assess --json` says of a filter; null: none was requested
+    std::optional<PagePlace> place = {};   ///< none: the curve has no two parts
 };
 
 /// What the sliders begin with.

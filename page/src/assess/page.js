@@ -142,6 +142,15 @@ function drawFilter() {
     ...c, why: c.remark, value: known(c.value), measured: known(c.measured), limit: known(c.limit), upper: known(c.upper) })));
 }
 
+/** Where the program found the curve as given. */
+function drawAtlas() {
+  const { place } = pageData.soils[state.which];
+  $("atlas-maps").innerHTML = AtlasMap.draw(pageData.atlas, place);
+  $("atlas-note").textContent = "Each cell is a simulated soil: the gradient of upward flow that moves 1 % of its fines, over that of heave. " +
+    (place ? `The ring is ${here().isEdited ? "the curve as given" : "this soil"}: D50/d50 ${three(place.ratio)}, ${three(100 * place.fines)} % of fines${place.inside ? "" : ", outside the atlas"}.`
+      : "This soil has no place among them: no split of its curve is unstable, or its flow is downward.");
+}
+
 function drawMatrix() {
   $("all").hidden = state.soils.length < 2;
   if (state.soils.length < 2) return;
@@ -164,6 +173,7 @@ function draw(keepText) {
   drawChart();
   $("criteria").innerHTML = rowsOf(criteria);
   drawFilter();
+  drawAtlas();
   drawSafety(found);
   drawGradients(found);
   drawMatrix();
