@@ -4,6 +4,7 @@
 // report. Link suffuse::suffuse. SI everywhere, compression is positive. Bad input throws what suffuse/base/error.hpp
 // declares.
 
+#include "suffuse/atlas/look_up.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/units.hpp"
