@@ -5,6 +5,7 @@
 #include "tests/support/program.hpp"
 #include "tests/support/reference.hpp"
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace suffuse {
@@ -88,6 +89,21 @@ TEST_F(Assess, OfLevelFlowOnlyTheAtlasSaysSomething) {
     EXPECT_EQ(call("dyke.csv --flow level"), 2);
     expect_in("add -i I", error);
     EXPECT_EQ(call("dyke.csv -i 0.33 --flow sideways"), 2);
+    expect_in("expected up, down, level, or the angle", error);
+}
+
+TEST_F(Assess, OfInclinedFlowItsUpwardPartLifts) {
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow 30deg"), 0);
+    expect_out("rising seepage at 30 degrees, i = 0.33");
+    EXPECT_EQ(call("dyke.csv -i 0.33 --flow 30deg --porosity 0.3 --density 2.6g/cm^3 --json"), 0);
+    const auto soil = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_NEAR(soil["gradients"][0]["limit"].get<double>(), 1.6 * 0.7 / 0.5, 1e-12);
+    EXPECT_EQ(soil["seepage"]["flow"], "30deg");
+    std::set<std::string> flows;
+    for (const auto& entry : soil["atlas"]) {
+        flows.insert(entry["flow"].get<std::string>());
+    }
+    EXPECT_EQ(flows, (std::set<std::string>{"level", "up"})) << "between the two";
 }
 
 TEST_F(Assess, TakesSharesInPercent) {

@@ -62,9 +62,20 @@ std::string direction_text(const std::optional<FlowWay>& flow) {
     if (!flow) {
         return "\"z\"";
     }
-    return *flow == FlowWay::Up     ? "\"z\"                       # upward, against the weight of the fines"
-           : *flow == FlowWay::Down ? "\"-z\"                      # downward, with the weight of the fines"
-                                    : "\"x\"                       # level, across the weight of the fines";
+    if (*flow == stability::upward) {
+        return "\"z\"                       # upward, against the weight of the fines";
+    }
+    if (*flow == stability::downward) {
+        return "\"-z\"                      # downward, with the weight of the fines";
+    }
+    if (*flow == stability::level_flow) {
+        return "\"x\"                       # level, across the weight of the fines";
+    }
+    const double rise = stability::lift_of(*flow), ahead = std::sqrt(1 - rise * rise);
+    return fmt::format(
+        "{:<26}# {} at {:g} degrees", fmt::format("[{:.4f}, 0, {:.4f}]", ahead, rise), stability::kind_of(*flow),
+        std::abs(flow->rise)
+    );
 }
 
 std::string_view site_mark(const std::optional<double>& given) {

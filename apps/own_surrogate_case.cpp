@@ -11,6 +11,7 @@
 #include "apps/own_surrogate.hpp"
 #include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace suffuse::apps {
 namespace {
@@ -61,16 +62,11 @@ direction = {direction}
 {specified}
 )";
 
-std::string stage_text(FlowWay way, const OwnConditions& conditions) {
+std::string stage_text(const FlowWay& way, const OwnConditions& conditions) {
     constexpr double usual_last = 1.2, beyond_specified = 1.5;
     const std::optional<double>& gradient = conditions.gradient;
     return fmt::format(
-        stage_form,
-        fmt::arg(
-            "name", way == FlowWay::Up     ? "upward"
-                    : way == FlowWay::Down ? "downward"
-                                           : "level"
-        ),
+        stage_form, fmt::arg("name", stability::kind_of(way)),
         fmt::arg("last", std::max(usual_last, beyond_specified * gradient.value_or(0))),
         fmt::arg(
             "specified",
@@ -88,9 +84,10 @@ std::string own_case_text(const OwnSurrogate& own, const OwnConditions& conditio
     const grains::Surrogate& surrogate = *own.soil.surrogate;
     const double pressure = conditions.pressure.value_or(assumed_pressure);
     std::string stages;
-    for (const FlowWay way : {FlowWay::Level, FlowWay::Up, FlowWay::Down}) {
-        const bool is_usual = way != FlowWay::Down; // both where none is specified
-        stages += conditions.flow.value_or(is_usual ? way : FlowWay::Level) == way ? stage_text(way, conditions) : "";
+    const std::vector<FlowWay> ways = conditions.flow ? std::vector{*conditions.flow} // both where none is specified
+                                                      : std::vector{stability::level_flow, stability::upward};
+    for (const FlowWay& way : ways) {
+        stages += stage_text(way, conditions);
     }
     const bool is_wide = own.ratios.front() * grains::surrogate_width >= casefile::wide_grading;
     const std::string of_soil = short_number(surrogate.ratio_of_soil);

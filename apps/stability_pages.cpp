@@ -85,9 +85,9 @@ fs::path write_soil_page(
     data.opening.about_confidence =
         "The criteria ignore density, stress and flow. A simulation shows which grains are free to move.";
     if (spec.seepage) {
-        const bool is_upward = spec.seepage->is_upward();
-        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + (is_upward ? ":" : "."));
-        if (!is_upward) {
+        const bool lifts = spec.seepage->lifts();
+        data.answer.push_back(as_sentence(job::seepage_text(*spec.seepage)) + (lifts ? ":" : "."));
+        if (!lifts) {
             data.answer.push_back(as_sentence(job::no_heave_text) + ".");
         }
     }

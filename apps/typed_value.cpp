@@ -33,6 +33,17 @@ double quantity_of(const std::string& text, Dimension dimension, const std::stri
     }
 }
 
+std::optional<stability::FlowWay> flow_way_of(const std::string& text, const std::string& flag) {
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const auto way = stability::flow_way_of(text);
+    if (!way) {
+        throw UsageError(fmt::format("{} {}: expected {}", flag, shown(text), stability::flow_ways_text));
+    }
+    return way;
+}
+
 Mat3 cell_of(const std::string& text) {
     std::vector<double> values;
     for (std::size_t begin = 0; begin <= text.size();) {

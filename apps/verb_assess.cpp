@@ -80,9 +80,11 @@ struct AssessVerb final : Verb {
         options.value("-i,--gradient", seepage_gradient, "hydraulic gradient of the seepage, as in 0.4 or 12m/30m")
             .type("I")
             .ratio(0);
-        options.value("--flow", flow, "with -i: up, down or level; a head over a path through a dam is level")
-            .type("WAY")
-            .one_of({"up", "down", "level"});
+        options
+            .value(
+                "--flow", flow, "with -i: up, down, level or a rise as 30deg; a head over a path through a dam is level"
+            )
+            .type("WAY");
         options.value("--relative-density", relative_density, "0 loosest, 1 densest; both unless given")
             .type("ID")
             .ratio(0, 1);
@@ -142,7 +144,7 @@ stability::AssessSpec with_alpha(
         verb.stress_share};
     stability::AssessSpec with = with_alpha_of_run(alpha, spec, soil, console);
     if (with.seepage) {
-        with.seepage->flow = stability::flow_way_of(verb.flow);
+        with.seepage->flow = flow_way_of(verb.flow, "--flow");
     }
     return with;
 }
@@ -287,7 +289,7 @@ std::string write_playground(
         );
     }
     report::PageSeepage seepage;
-    if (spec.seepage && spec.seepage->is_upward()) { // its sliders know no other
+    if (spec.seepage && spec.seepage->way() == stability::upward) { // its sliders know no other
         seepage = {
             spec.seepage->gradient, spec.seepage->porosity, spec.seepage->grain_density, spec.seepage->stress_share};
     }
@@ -339,7 +341,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (wants_page) {
         document["page"] = write_playground(*this, verb.front().spec, soils, list);
         text += "\n" + document["page"].get<std::string>();
-        if (const auto& seepage = verb.front().spec.seepage; seepage && !seepage->is_upward()) {
+        if (const auto& seepage = verb.front().spec.seepage; seepage && seepage->way() != stability::upward) {
             console.talk("the sliders of the page are of upward seepage: it does not show yours");
         }
     }

@@ -106,11 +106,10 @@ struct NewVerb final : Verb {
         options
             .value(
                 "--flow", flow,
-                "with --psd: up, down or level; the fines then have weight, and the report gives the gradient that "
-                "moves them"
+                "with --psd: up, down, level or a rise as 30deg; the fines then have weight, and the report gives the "
+                "gradient that moves them"
             )
-            .type("WAY")
-            .one_of({"up", "down", "level"});
+            .type("WAY");
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -217,7 +216,7 @@ plan::RunPlan price_of(const fs::path& path) {
 }
 
 OwnConditions conditions_of(const NewVerb& verb) {
-    OwnConditions conditions{{}, verb.gradient, stability::flow_way_of(verb.flow)};
+    OwnConditions conditions{{}, verb.gradient, flow_way_of(verb.flow, "--flow")};
     if (!verb.pressure.empty()) {
         conditions.pressure = quantity_of(verb.pressure, dimension::pressure, "--pressure", false);
     }

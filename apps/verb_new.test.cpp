@@ -62,6 +62,11 @@ TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
         expect_in("rest under weight, then 25 gradients", plan.json().dump());
     }
     EXPECT_EQ(read_all(folder / "up/case.toml").find("(Grains have no weight here"), std::string::npos);
+    ASSERT_EQ(run_suffuse({"new", "slope", "--psd", "gap.csv", "--flow", "30deg"}).code, 0);
+    expect_in(
+        "direction      = [0.8660, 0, 0.5000]       # rising at 30 degrees", read_all(folder / "slope/case.toml")
+    );
+    EXPECT_EQ(run_suffuse({"check", "slope/case.toml", "--preset", "standard"}).code, 0);
     EXPECT_EQ(run_suffuse({"new", "aside", "--psd", "gap.csv", "--flow", "aside"}).code, 2);
     const ProgramResult no_run = run_suffuse({"assess", "gap.csv", "--alpha-from", "up"});
     EXPECT_NE(no_run.code, 0);

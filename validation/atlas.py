@@ -99,6 +99,7 @@ def draw_map(given, samples):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], add_help=False)
     parser.add_argument("--ratio", type=float, choices=RATIOS, action="append")
+    parser.add_argument("--fines", type=int, choices=CONTENTS, action="append", help="content [%%]")
     parser.add_argument("--density", choices=DENSITIES, action="append")
     parser.add_argument("--seeds", type=int, default=len(SEEDS), help="the first so many")
     parser.add_argument("--draw", action="store_true", help="the map of what is there, alone")
@@ -109,7 +110,7 @@ def main():
     for study in [] if portion.draw else portion.density or DENSITIES:
         for seed in SEEDS[:portion.seeds]:
             for ratio in portion.ratio or RATIOS:
-                for content in CONTENTS:
+                for content in portion.fines or CONTENTS:
                     make(given, samples, study, ratio, content, seed)
     draw_map(given, samples)
 

@@ -32,7 +32,7 @@ std::optional<stability::FlowWay> flow_of(const py::object& flow) {
     const auto word = py::str(flow).cast<std::string>();
     const auto way = stability::flow_way_of(word);
     if (!way) {
-        throw CaseError(fmt::format("flow = {}: expected up, down or level", word));
+        throw CaseError(fmt::format("flow = {}: expected {}", word, stability::flow_ways_text));
     }
     return way;
 }

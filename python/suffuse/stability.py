@@ -34,7 +34,7 @@ def assess(grading, **settings):
     relative_density: 0 loosest, 1 densest; both unless given
     coarse_fabric: D60/D10 of the coarse part decides up to which F
     gradient: hydraulic gradient of the seepage; with it porosity, density (of the grains), alpha (mean stress of the
-        fines over that of the soil), flow ("up", "down" or "level"; upward unless given)
+        fines over that of the soil), flow ("up", "down", "level" or the rise, "30deg"; upward unless given)
 
     Criteria that need what the curve does not reach cannot say.
     """

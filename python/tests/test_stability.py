@@ -104,7 +104,7 @@ def test_wrong_use_is_named(dyke):
 def test_of_level_flow_only_the_atlas_says_something(dyke):
     found = suffuse.assess(dyke, gradient=0.3, flow="level")
     assert found["gradients"] == [] and {entry["flow"] for entry in found["atlas"]} == {"level"}
-    with pytest.raises(suffuse.CaseError, match="expected up, down or level"):
+    with pytest.raises(suffuse.CaseError, match="expected up, down, level, or the angle"):
         suffuse.assess(dyke, gradient=0.3, flow="sideways")
     with pytest.raises(suffuse.CaseError, match="give gradient= too"):
         suffuse.assess(dyke, flow="level")

@@ -121,7 +121,7 @@ constexpr std::array code_table = {
         "Kenney and Lau's split must exist if it is specified, and there must be enough grains to follow the curve "
         "within `grading_tolerance`. Where the curve is too wide, the message says at which size to cut it: number "
         "goes as 1/d^3, so that its fine end takes most of the grains. suffuse new --psd FILE --sizes FROM,TO does "
-        "it."},
+        "it. Or two fractions stand for the soil: suffuse new --psd FILE --surrogate."},
     Code{
         "W607", "few fines, or few coarse grains",
         "Below 100 fine or 50 coarse grains, shares of what leaves and the constrictions of the skeleton are the "

@@ -91,18 +91,22 @@ public:
         if (!whole_grading(*variant_.soil)) {
             return;
         }
-        Place place = split_place_; // of what cannot be had
+        bool is_split = false;
         try {
             grains::expect_both_parts(*variant_.soil);
             if (variant_.particles < 1 || variant_.particles > quickly_drawn) {
                 return;
             }
-            place = place_;
+            is_split = true;
             const auto sample = grains::sample_soil(*variant_.soil, static_cast<int>(variant_.particles));
             check_counts(sample);
             check_skeleton(sample);
         } catch (const CaseError& problem) {
-            problems_.error("E606", place, problem.what(), "suffuse explain E606");
+            const bool is_curve = variant_.soil->whole && is_split;
+            const char* const help = is_curve ? "or give the soil the key `surrogate`, so that two fractions stand for "
+                                                "it, as suffuse new --psd FILE --surrogate does; suffuse explain E606"
+                                              : "suffuse explain E606";
+            problems_.error("E606", is_split ? place_ : split_place_, problem.what(), help);
         }
     }
 

@@ -65,6 +65,8 @@ TEST(SampleChecks, GrainsThatCannotBeDrawnAreReportedBeforeTheRun) {
         find_problem(problems_of(replaced(good_case, "psd =", "grading_tolerance = \"0.01 %\"\npsd =")), "E606");
     EXPECT_EQ(few.line, 8);
     EXPECT_NE(few.message.find("particles"), std::string::npos);
+    EXPECT_NE(few.help.find("--surrogate"), std::string::npos) << few.help;
+    EXPECT_EQ(outside.help.find("--surrogate"), std::string::npos) << outside.help;
 }
 
 TEST(SampleChecks, ASkeletonThatWillBeTooNarrowToErodeIsReportedBeforeTheRun) {

@@ -60,8 +60,8 @@ std::vector<Key> weighed_rows(const std::string& stage) {
         weighed(
             stage, "hold_at_most", {4, 1e6, false, false}, usual.hold_at_most,
             "With [gravity]: a gradient is held until motion ends, and no longer than this, in units of the time in "
-            "which the median fine grain falls half its diameter; than a fifth of it once a tenth of the fines' mass "
-            "is mobile. Results mark where motion had not ended."
+            "which the median fine grain falls half its diameter. Once a tenth of the fines' mass is mobile, a rise by "
+            "0.1 takes a fifth of it at most. Results mark where motion had not ended."
         ),
         weighed(
             stage, "fluid_drag", {0.01, 100, false, false}, usual.fluid_drag,

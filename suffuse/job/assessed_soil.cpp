@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::job {
 namespace {
@@ -104,7 +105,7 @@ std::string heading(const char* first) {
 
 std::string gradient_lines(const stability::Seepage& seepage, const Assessment& found, std::size_t columns) {
     std::string text = "\n  " + seepage_text(seepage) + "\n";
-    if (!seepage.is_upward()) {
+    if (!seepage.lifts()) {
         text += fmt::format("  {}\n", no_heave_text);
     }
     for (const Criterion& criterion : found.gradients) {
@@ -210,13 +211,12 @@ json soil_json(const AssessedSoil& soil, const stability::AssessSpec& spec) {
 }
 
 std::string seepage_text(const stability::Seepage& seepage) {
-    const stability::FlowWay way = seepage.flow.value_or(stability::FlowWay::Up);
+    const stability::FlowWay way = seepage.way();
+    const bool is_named = way == stability::upward || way == stability::downward || way == stability::level_flow;
     return fmt::format(
-        "{} seepage, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3",
-        way == stability::FlowWay::Up     ? "upward"
-        : way == stability::FlowWay::Down ? "downward"
-                                          : "level",
-        seepage.gradient, seepage.porosity, seepage.grain_density
+        "{} seepage{}, i = {:.4g}; porosity {:.3g}, grains {:.4g} kg/m3", stability::kind_of(way),
+        is_named ? "" : fmt::format(" at {:g} degrees", std::abs(way.rise)), seepage.gradient, seepage.porosity,
+        seepage.grain_density
     );
 }
 

@@ -16,19 +16,16 @@ namespace {
 using nlohmann::json;
 using stability::FlowWay;
 
+/// Those that say something of it: between level and upward, both.
 std::vector<atlas::Flow> flows_of(const std::optional<FlowWay>& way) {
-    if (!way) {
-        return {atlas::Flow::Up, atlas::Flow::Level};
+    std::vector<atlas::Flow> flows;
+    if (!way || way->rise > 0) {
+        flows.push_back(atlas::Flow::Up);
     }
-    switch (*way) {
-    case FlowWay::Up:
-        return {atlas::Flow::Up};
-    case FlowWay::Level:
-        return {atlas::Flow::Level};
-    case FlowWay::Down:
-        break;
+    if (!way || (way->rise >= 0 && *way != stability::upward)) {
+        flows.push_back(atlas::Flow::Level);
     }
-    return {};
+    return flows;
 }
 
 /// "6.5", "3.5 to 10".

@@ -75,10 +75,10 @@ TEST(AtlasAnswer, ALineForEachDensityHasBothFlows) {
 }
 
 TEST(AtlasAnswer, OneFlowAloneIsGivenWhereItIsSpecified) {
-    const AtlasWords words = words_of(atlas_around_five(), 0.15, spec_at(0.3, stability::FlowWay::Level));
+    const AtlasWords words = words_of(atlas_around_five(), 0.15, spec_at(0.3, stability::level_flow));
     EXPECT_EQ(words.table->header.size(), 5U);
     EXPECT_EQ(words.table->rows[0][3], "0.05");
-    const AtlasWords down = words_of(atlas_around_five(), 0.15, spec_at(0.3, stability::FlowWay::Down));
+    const AtlasWords down = words_of(atlas_around_five(), 0.15, spec_at(0.3, stability::downward));
     EXPECT_FALSE(down.table);
     EXPECT_NE(down.heading.find("none downward"), std::string::npos) << down.heading;
 }

@@ -252,9 +252,12 @@ report::ReportData describe_run(
     for (figures::Figure& figure : draw_erosion(what, folder, story)) {
         data.figures.push_back(std::move(figure));
     }
-    const record::FinishedStage* const judged = story.eroded != nullptr     ? story.eroded
-                                                : !results.mobility.empty() ? results.mobility.front().first
-                                                                            : nullptr;
+    const study::MobilityStory* const surrogate = answer::nearest_surrogate(results.mobility);
+    const study::MobilityStory* const weighed =
+        surrogate != nullptr ? surrogate : study::main_mobility(results.mobility);
+    const record::FinishedStage* const judged = story.eroded != nullptr ? story.eroded
+                                                : weighed != nullptr    ? weighed->first
+                                                                        : nullptr;
     data.request = judged == nullptr ? "" : request_text(*judged->variant);
     if (judged != nullptr && judged != story.eroded) {
         if (auto figure = draw_grading(what, folder, *judged)) {

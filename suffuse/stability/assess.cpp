@@ -97,7 +97,7 @@ Assessment assess(const Grading& grading, const AssessSpec& spec) {
         sherard(grading, fines),
         wan_fell_alternative(grading, fines),
         indraratna(assessment.constrictions, spec.relative_density)};
-    if (spec.seepage && spec.seepage->is_upward()) {
+    if (spec.seepage && spec.seepage->lifts()) {
         assessment.gradients = {
             terzaghi(*spec.seepage), skempton_brogan(*spec.seepage, assessment.criteria[kenney_lau_1985_row].verdict)};
     }

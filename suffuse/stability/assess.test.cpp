@@ -232,9 +232,9 @@ TEST(Assess, EveryCriterionIsInTheDocumentation) {
 TEST(Assess, LevelAndDownwardSeepageLiftNothingAndHaveNoCriticalGradient) {
     const grains::Grading grading{{0.1e-3, 0.2e-3, 1e-3, 2e-3}, {0, 0.2, 0.2, 1}, ""};
     AssessSpec spec;
-    spec.seepage = Seepage{.gradient = 0.3, .flow = FlowWay::Up};
+    spec.seepage = Seepage{.gradient = 0.3, .flow = upward};
     EXPECT_EQ(assess(grading, spec).gradients.size(), 2U);
-    for (const FlowWay way : {FlowWay::Level, FlowWay::Down}) {
+    for (const FlowWay way : {level_flow, downward, FlowWay{-20}}) {
         spec.seepage->flow = way;
         EXPECT_TRUE(assess(grading, spec).gradients.empty()) << name_of(way);
     }

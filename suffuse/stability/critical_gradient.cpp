@@ -19,6 +19,11 @@ Criterion against(std::string_view id, const Seepage& seepage, double critical) 
     return criterion;
 }
 
+/// The gradient that lifts the whole soil; of an inclined flow its upward part does.
+double heave_of(const Seepage& seepage) {
+    return terzaghi_gradient(seepage.porosity, seepage.grain_density) / lift_of(seepage.way());
+}
+
 /// The critical gradient over the specified one.
 std::string factor_of_safety(const Criterion& criterion) {
     return *criterion.value > 0 ? fmt::format("factor of safety {:.2g}", *criterion.limit / *criterion.value)
@@ -32,13 +37,13 @@ double terzaghi_gradient(double porosity, double grain_density) {
 }
 
 Criterion terzaghi(const Seepage& seepage) {
-    Criterion criterion = against("terzaghi", seepage, terzaghi_gradient(seepage.porosity, seepage.grain_density));
+    Criterion criterion = against("terzaghi", seepage, heave_of(seepage));
     criterion.remark = factor_of_safety(criterion);
     return criterion;
 }
 
 Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
-    const double whole = terzaghi_gradient(seepage.porosity, seepage.grain_density);
+    const double whole = heave_of(seepage);
     const bool all_carry = by_shape == Verdict::Stable;
     const double share = seepage.stress_share.value_or(1);
     Criterion criterion = against("skempton-brogan-1994", seepage, share * whole);

@@ -16,14 +16,16 @@ struct Seepage {
     std::optional<double> stress_share = {}; ///< alpha: mean effective stress in the fines over that of the soil [-]
     std::optional<FlowWay> flow = {};        ///< not said: judged as upward
 
+    [[nodiscard]] FlowWay way() const { return flow.value_or(upward); }
+
     /// Only then grains lose their weight.
-    [[nodiscard]] bool is_upward() const { return flow.value_or(FlowWay::Up) == FlowWay::Up; }
+    [[nodiscard]] bool lifts() const { return way().rise > 0; }
 };
 
 /// (Gs - 1)(1 - n): the gradient that carries the whole weight of the soil.
 double terzaghi_gradient(double porosity, double grain_density);
 
-/// Stable while i stays below (Gs - 1)(1 - n).
+/// Stable while i stays below (Gs - 1)(1 - n), over the upward part of the flow. The flow lifts.
 Criterion terzaghi(const Seepage& seepage);
 
 /// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
