@@ -1,5 +1,5 @@
 #pragma once
-// Contact memory carried from one table to the next, by merging or parting sorted lists or by
+// Contact memory carried from one table to the next, by merging and parting sorted lists, or by
 // renumbering grains.
 
 #include "suffuse/contact/contacts.hpp"

@@ -94,12 +94,13 @@ contact::OptionalMemory needed_memory(const grains::Material& m, const contact::
     return {m.twisting_stiffness != 0, m.adhesion_normal > 0 || m.adhesion_shear > 0 || some_bond};
 }
 
-/// Whether few grains have moved out of the list of a cell `h`, so that their pairs alone are found anew. Large samples
-/// have no memory for a second list.
+/// Whether few grains have moved out of the list of a cell `h` that stands, so that their pairs alone are found anew.
+/// Large samples have no memory for a second list.
 bool can_search_again(const World& world, const Mat3& h, std::span<const std::uint8_t> strayed) {
     constexpr std::size_t few = 4, large = 65'536;
     const auto count = static_cast<std::size_t>(std::ranges::count(strayed, 1));
-    return world.cell.h == h && count < strayed.size() / few && strayed.size() < large;
+    return world.cell.h == h && world.cell.velocity_gradient == Mat3{} && count < strayed.size() / few &&
+           strayed.size() < large;
 }
 
 /// Whether the memory has all that the material needs, and no more.
@@ -210,19 +211,23 @@ std::vector<std::uint8_t>
 Neighborhood::find_strayed(const World& world, const MovingRows& rows, const std::vector<double>& allowance) const {
     const Mat3 motion = world.cell.h * inverse(wide_h_);
     const double strain = strain_of(motion);
-    const double reach = 0.5 * (wide_margin_ * (1 - strain) - 2 * (strain + stretch_) * largest_radius_);
+    const double room = wide_margin_ * (1 - strain) - 2 * (strain + stretch_) * largest_radius_;
+    // Of a pair that was sought for the sake of one grain, the other may have moved before as far as is soon out.
+    const double patched = room / (2 + soon_out), reach = is_patched_ ? patched : room / 2;
     std::vector<double> moved(rows.size());
     parallel_for(rows.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t g = begin; g < end; ++g) {
             const Vec3 place = position_of(wide_place_[g]);
-            moved[g] = norm(xyz(rows[g].position) - motion * place) + rounding_of(place) + allowance[g];
+            moved[g] = norm(xyz(rows[g].position) - motion * place) + rounding_of(place);
         }
     });
-    if (largest(rows.size(), block, [&](std::size_t g) { return moved[g]; }) < reach) {
+    if (largest(rows.size(), block, [&](std::size_t g) { return moved[g] + allowance[g]; }) < reach) {
         return {};
     }
     std::vector<std::uint8_t> strayed(rows.size());
-    std::ranges::transform(moved, strayed.begin(), [&](double m) { return m < soon_out * reach ? 0 : 1; });
+    for (std::size_t g = 0; g < strayed.size(); ++g) {
+        strayed[g] = moved[g] > soon_out * patched || moved[g] + allowance[g] > patched ? 1 : 0;
+    }
     return strayed;
 }
 
@@ -249,6 +254,7 @@ void Neighborhood::search_again(const World& world, const MovingRows& rows, std:
     });
     pairs.insert(pairs.end(), next, found.end());
     pairs_ = {pairs, rows.size()};
+    is_patched_ = true;
 }
 
 void Neighborhood::search(const World& world, const MovingRows& rows, const std::vector<double>& allowance) {
@@ -274,6 +280,7 @@ void Neighborhood::search(const World& world, const MovingRows& rows, const std:
     pairs_ = {}; // before the new ones are made, as is what the table makes anew
     watch_.grains = std::vector<WatchedGrain>();
     pairs_ = {neighbors::find_pairs(world.cell.h, std::move(position), world.grains.radius, wide_margin_), rows.size()};
+    is_patched_ = false;
     wide_h_ = world.cell.h;
     wide_step_ = world.clock.step;
     ++searches_;

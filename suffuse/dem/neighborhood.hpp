@@ -85,7 +85,8 @@ private:
     neighbors::PairList pairs_;
     std::vector<Place> wide_place_; ///< of each grain
     Mat3 wide_h_{};
-    double wide_margin_ = 0; ///< [m]
+    double wide_margin_ = 0;  ///< [m]
+    bool is_patched_ = false; ///< some pairs were sought later than others
     std::int64_t wide_step_ = 0;
 
     // The contact table: what a grain may move and the cell may stretch while it holds.

@@ -3,6 +3,8 @@
 
 #include "suffuse/dem/neighborhood.hpp"
 
+#include "suffuse/base/random.hpp"
+
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
@@ -82,6 +84,43 @@ TEST(Neighborhood, OfAFewThatLeaveItsWideListSeeksTheNeighborsAlone) {
     table.world.contacts = {};
     table.update();
     EXPECT_EQ(table.world.contacts.size(), 1U) << "and now no more";
+}
+
+TEST(Neighborhood, FindsAllPairsOfGrainsThatGoToAndFroAmongOthersThatRest) {
+    constexpr int grains = 60;
+    World world;
+    world.cell.h = diagonal({12 * radius, 12 * radius, 12 * radius});
+    RandomStream random(7, "to and fro");
+    for (int g = 0; g < grains; ++g) {
+        const Vec3 fraction{random.uniform(), random.uniform(), random.uniform()};
+        test::add(world, world.cell.h * fraction, g % 5 == 0 ? radius : 0.4 * radius);
+    }
+    Table table(world);
+    for (int step = 0; step < 300; ++step) {
+        table.world.contacts = {}; // what touched is found anew, too
+        for (std::size_t g = 0; g < grains; ++g) {
+            const double stride = g % 7 == 0 ? 0.1 * radius : 0.001 * radius; // a few go far
+            for (int a = 0; a < 3; ++a) {
+                table.rows[g].position[a] += stride * (2 * random.uniform() - 1);
+            }
+        }
+        table.update();
+        std::vector<Vec3> position;
+        for (const grains::MovingRow& row : table.rows) {
+            position.push_back(xyz(row.position));
+        }
+        for (const neighbors::Pair& pair :
+             neighbors::find_pairs_exhaustively(world.cell.h, position, world.grains.radius, 0)) {
+            const contact::Contacts& contacts = table.world.contacts;
+            bool is_there = false;
+            for (std::size_t c = 0; c < contacts.size(); ++c) {
+                is_there = is_there || (contacts.first[c] == pair.first && contacts.second[c] == pair.second &&
+                                        contacts.image[c] == pair.image);
+            }
+            ASSERT_TRUE(is_there) << "step " << step << ": " << pair.first << ", " << pair.second;
+        }
+    }
+    EXPECT_LT(table.neighborhood.searches(), 60) << "of 300 looks";
 }
 
 TEST(Neighborhood, WithoutPairsOfHeldGrainsTakesThemInOnceTheyAreFree) {
