@@ -37,6 +37,11 @@ def mm(sizes):
     return [f"{size:.6g} mm" for size in sizes]
 
 
+def coarse_grains(width):
+    """So many that the cell is three of the largest wide."""
+    return round(105 * max(1, width / 2) ** 2.5)
+
+
 def changes_of(name, seed):
     ratio, coarse_width, fines_width, content, density = SOILS[name]
     sizes, share = sizes_of(ratio, coarse_width, fines_width), f"{content} %"
@@ -45,6 +50,7 @@ def changes_of(name, seed):
         "soil.whole.coarse.psd": {"d": mm(sizes[2:]), "passing": ["0 %", "100 %"]},
         "soil.whole.fines.psd": {"d": mm(sizes[:2]), "passing": ["0 %", "100 %"]},
         "soil.whole.fines_content": share,
+        "study.whole.sample_size.coarse_grains": coarse_grains(coarse_width),
     }
     if sizes[2] > 1.0001 * sizes[1]:
         changes["soil.stand-in.psd"] = {"d": mm(sizes), "passing": ["0 %", share, share, "100 %"]}
