@@ -1,5 +1,6 @@
 // assess: assess the internal stability of a soil from its grading, without simulation.
 
+#include "suffuse/atlas/row.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/shell_word.hpp"
@@ -272,8 +273,15 @@ std::optional<report::PagePlace> place_of(const json& about) {
     if (list.empty()) {
         return std::nullopt;
     }
-    const bool is_inside = std::ranges::any_of(list, [](const json& entry) { return entry.at("inside").get<bool>(); });
-    return report::PagePlace{list.front().at("size_ratio"), list.front().at("fines_content"), is_inside};
+    report::PagePlace place{list.front().at("size_ratio"), list.front().at("fines_content")};
+    for (const json& entry : list) {
+        const bool is_inside = entry.at("inside");
+        place.is_inside = place.is_inside || is_inside;
+        if (is_inside && entry.at("flow") == atlas::name_of(atlas::Flow::Up)) {
+            place.upward.push_back(entry);
+        }
+    }
+    return place;
 }
 
 std::string write_playground(

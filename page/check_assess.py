@@ -66,7 +66,19 @@ def check_view(program, browser, folder):
             wrong.append("the gradients are not drawn on their line")
         if 'class="cell"' not in dom or 'class="place"' not in dom or "The ring is this soil" not in dom:
             wrong.append("the map of the atlas lacks its cells or the soil")
-    return wrong + check_print(program, opened, folder)
+    return wrong + check_atlas(program, opened, folder) + check_print(program, opened, folder)
+
+
+def check_atlas(program, opened, folder):
+    """What is wrong with the headline of a soil within the atlas: other gradients than those of `assess --json`."""
+    Path(folder, "within.csv").write_text("d [mm],passing [%]\n0.1385,0\n0.1692,12\n0.9,12\n1.1,100\n")
+    command = [program, "assess", "within.csv", "-i", "0.3", "--page", "-o", "within.html", "--json"]
+    soil = json.loads(subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE).stdout)["soils"][0]
+    page = Path(folder, "within.html").as_uri()
+    dom = subprocess.run([*opened, "--dump-dom", page], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
+    ours = sorted(entry["i1"] for entry in soil["atlas"] if entry["flow"] == "up" and entry["inside"])
+    gradients, factors = f"{ours[0]:.2f} to {ours[-1]:.2f} (atlas)", f"safety {ours[0] / 0.3:.1f} to {ours[-1] / 0.3:.1f}."
+    return [] if gradients in dom and factors in dom else [f"the headline lacks “{gradients}” or “{factors}”"]
 
 
 def check_print(program, opened, folder):

@@ -4,6 +4,7 @@
 #include "suffuse/atlas/look_up.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/grains/surrogate.hpp"
@@ -180,6 +181,18 @@ void doubt_motion(const MobilityStory& story, std::vector<Doubt>& doubts) {
     }
 }
 
+/// The compaction from which the stage comes, if it could have released its shear stresses.
+const casefile::Stage* find_unreleased(const record::FinishedStage& finished) {
+    const casefile::Stage* stage = finished.stage;
+    while (stage->parent >= 0) {
+        stage = &finished.variant->stages.at(static_cast<std::size_t>(stage->parent));
+        if (casefile::could_release_shear(stage->spec)) {
+            return stage;
+        }
+    }
+    return nullptr;
+}
+
 void doubt_stress(const MobilityStory& story, std::vector<Doubt>& doubts) {
     constexpr double much = 0.1; // q/p of a sample that was compacted by equal stresses
     const json& numbers = story.first->numbers;
@@ -188,11 +201,17 @@ void doubt_stress(const MobilityStory& story, std::vector<Doubt>& doubts) {
     }
     const double q = numbers.at("deviator_stress"), p = numbers.at("mean_stress");
     if (p > 0 && q > much * p) {
+        const casefile::Stage* const compaction = find_unreleased(*story.first);
         doubts.push_back(
             {q / (much * p),
              fmt::format(
-                 "The preparation left a shear stress of q = {} kPa at p = {} kPa; a larger sample has less.",
-                 short_number(q / 1e3, 2), short_number(p / 1e3)
+                 "The preparation left a shear stress of q = {} kPa at p = {} kPa; {}.", short_number(q / 1e3, 2),
+                 short_number(p / 1e3),
+                 compaction == nullptr ? "a larger sample has less"
+                                       : fmt::format(
+                                             "to release it: `--set study.{}.stage.{}.shear_stresses=released`",
+                                             story.first->study->name, compaction->name
+                                         )
              )}
         );
     }

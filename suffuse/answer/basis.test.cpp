@@ -102,6 +102,16 @@ TEST_F(Basis, EachDoubtSaysWhatWouldRemoveIt) {
     EXPECT_NE(first_doubt(story(20, 0)).find("Only 60 % of the mass is modeled"), std::string::npos);
 }
 
+TEST_F(Basis, ShearStressThatACompactionLeftIsReleasedByAKey) {
+    variant_.stages = {{.name = "initial", .spec = packing::CompactSpec{.pressure = 100e3}}, stage_};
+    stage_.parent = 0;
+    EXPECT_NE(
+        first_doubt(story(20, 34e3)).find("--set study.dam.stage.initial.shear_stresses=released"), std::string::npos
+    );
+    std::get<packing::CompactSpec>(variant_.stages.front().spec).shear_released = true;
+    EXPECT_NE(first_doubt(story(20, 34e3)).find("a larger sample has less"), std::string::npos) << "it is already";
+}
+
 TEST_F(Basis, TheLargestDoubtComesFirst) {
     variant_.soil->measured = grains::Grading{{1e-5, 1e-4, 1e-3}, {0, 0.06, 1}, ""};
     const std::vector<std::string> doubts = doubts_about(story(2, 15e3));

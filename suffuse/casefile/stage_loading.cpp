@@ -42,4 +42,9 @@ std::optional<cell::Loading> loading_at_end(const StageSpec& spec) {
     return std::visit(LoadingAtEnd{}, spec);
 }
 
+bool could_release_shear(const StageSpec& spec) {
+    const auto* const compact = std::get_if<packing::CompactSpec>(&spec);
+    return compact != nullptr && !compact->shear_released && compact->protocol != packing::Protocol::Slow;
+}
+
 } // namespace suffuse::casefile

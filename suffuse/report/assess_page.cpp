@@ -42,10 +42,24 @@ nlohmann::json definitions() {
     return all;
 }
 
+/// With the densities at which upward flow moves 1 % of the fines.
 nlohmann::json place_json(const std::optional<PagePlace>& place) {
-    return place ? nlohmann::
-                       json{{"ratio", place->size_ratio}, {"fines", place->fines_content}, {"inside", place->is_inside}}
-                 : nlohmann::json(nullptr);
+    if (!place) {
+        return nullptr;
+    }
+    nlohmann::json moves = nlohmann::json::array();
+    for (const nlohmann::json& entry : place->upward) {
+        if (!entry.at("i1_over_ic").is_null()) {
+            moves.push_back(
+                {{"density", entry.at("density")},
+                 {"porosity", entry.at("porosity")},
+                 {"i1_over_ic", entry.at("i1_over_ic")},
+                 {"at_most", entry.at("i1_at_most")}}
+            );
+        }
+    }
+    return {
+        {"ratio", place->size_ratio}, {"fines", place->fines_content}, {"inside", place->is_inside}, {"moves", moves}};
 }
 
 /// The nodes of upward flow.

@@ -203,9 +203,12 @@ const Criteria = (() => {
     });
   };
 
+  /** The gradient of upward seepage that carries all grains. @param density of the grains [kg/m^3] */
+  const heaveAt = (density, porosity) => (density / 1000 - 1) * (1 - porosity);
+
   // Upward seepage: what carries all grains, and what carries the fines.
   const gradients = ({ gradient, porosity, density, alpha }, criteria) => {
-    const heave = (density / 1000 - 1) * (1 - porosity);
+    const heave = heaveAt(density, porosity);
     const allCarry = criteria[0].verdict === "stable";
     const share = alpha ?? (allCarry ? 1 : undefined);
     return { heave, fines: share === undefined ? undefined : share * heave, share, needed: gradient / heave };
@@ -216,5 +219,5 @@ const Criteria = (() => {
     return { counted: counted.length, unstable: counted.filter((c) => c.verdict === "unstable").length };
   };
 
-  return { assess, gradients, passing, sizeAt, shapeCurve, tally, uniformity, findGap, fineFraction };
+  return { assess, gradients, heaveAt, passing, sizeAt, shapeCurve, tally, uniformity, findGap, fineFraction };
 })();

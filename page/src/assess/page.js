@@ -106,11 +106,23 @@ function drawGradients(found) {
   $("gradients").innerHTML = parts.join("");
 }
 
+/** Two numbers as a range, or one where they look alike. */
+const rangeText = (numbers, digits) => [...new Set([Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits)))].join(" to ");
+
+/** What the atlas says of the curve as given: when upward flow moves 1 % of its fines, over all densities. */
+function atlasWords() {
+  const { place } = pageData.soils[state.which];
+  if (!place || place.moves.length === 0 || here().isEdited) return [];
+  const gradients = place.moves.map((node) => node.i1_over_ic * Criteria.heaveAt(state.density, node.porosity));
+  const bound = place.moves.some((node) => node.at_most) ? "at most " : "", i = state.gradient;
+  return [`1 % of the fines move at <i>i</i> = ${bound}${rangeText(gradients, 2)} (atlas)${i > 0 ? `: factor of safety ${bound}${rangeText(gradients.map((g) => g / i), 1)}` : ""}.`];
+}
+
 function words(criteria, found) {
   const { counted, unstable } = Criteria.tally(criteria), fs = state.gradient > 0 ? found.heave / state.gradient : undefined;
   const lines = [counted === 0 ? "No criterion can say of this curve alone."
-    : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`];
-  if (fs !== undefined) lines.push(`Factor of safety ${fs.toFixed(1)} against heave.`);
+    : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`, ...atlasWords()];
+  if (fs !== undefined) lines.push(`Factor of safety ${fs.toFixed(1)} against heave of the whole soil.`);
   return lines;
 }
 
