@@ -5,6 +5,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/sampling.hpp"
 #include "suffuse/grains/surrogate.hpp"
 #include "suffuse/stability/unstable_split.hpp"
 
@@ -35,28 +36,43 @@ stability::UnstableSplit find_split(const Grading& measured, const std::string& 
     );
 }
 
+constexpr double steps_of_ratio = 0.5; // between the ratios that are tried
+
 double to_half(double value) {
-    return std::floor(2 * value) / 2;
+    return std::floor(value / steps_of_ratio) * steps_of_ratio;
 }
 
-/// Of a sample with the least coarse grains.
-double grains_at(double ratio, double content) {
-    return surrogate_coarse_grains * (1 + content / (1 - content) * ratio * ratio * ratio);
+/// So many that the cell is about three of the largest wide.
+std::int64_t coarse_grains_of(const grains::Soil& soil) {
+    constexpr double least = 60, of_width_two = 105;
+    return std::llround(std::max(least, of_width_two * std::pow(soil.surrogate->coarse_width / 2, 2.5)));
+}
+
+/// Of a sample with so many coarse grains.
+double grains_of(const grains::Soil& soil) {
+    const double content = soil.fines_content,
+                 finer = grains::grains_per_volume(*soil.fines) / grains::grains_per_volume(*soil.coarse);
+    return static_cast<double>(coarse_grains_of(soil)) * (1 + content / (1 - content) * finer);
 }
 
 /// The soil's own ratio; where that is out of reach, three up to the largest that is not.
-std::vector<double> simulated_ratios(double of_soil, double content, double most) {
+std::vector<double> simulated_ratios(const Grading& measured, double finer_than, double most) {
     constexpr double tried = 10; // the pore network and `wide` were compared with others' numbers up to that
     constexpr std::array steps{0.4, 0.65};
-    if (grains_at(of_soil, content) <= most) {
-        return {of_soil};
+    const grains::Soil own = grains::surrogate_of(measured, {.finer_than = finer_than});
+    if (grains_of(own) <= most) {
+        return {own.surrogate->size_ratio};
     }
-    const double reach = std::cbrt((most / surrogate_coarse_grains - 1) * (1 - content) / content);
-    const double largest = to_half(std::min(reach, tried));
+    const double least = to_half(grains::least_size_ratio) + steps_of_ratio;
+    double largest = std::max(least, to_half(std::min(own.surrogate->size_ratio, tried)));
+    while (largest > least &&
+           grains_of(grains::surrogate_of(measured, {.finer_than = finer_than, .size_ratio = largest})) > most) {
+        largest -= steps_of_ratio;
+    }
     std::vector<double> ratios;
     ratios.reserve(steps.size() + 1);
     for (const double step : steps) {
-        ratios.push_back(std::max(to_half(step * largest), to_half(grains::least_size_ratio) + 0.5));
+        ratios.push_back(std::max(to_half(step * largest), least));
     }
     ratios.push_back(largest);
     return ratios;
@@ -71,12 +87,10 @@ model_surrogate(const Grading& measured, const std::string& path, std::optional<
     OwnSurrogate own;
     own.name = soil_name(path);
     own.reason = split.reason;
-    own.soil = grains::surrogate_of(measured, split.finer_than);
-    own.ratios = simulated_ratios(own.soil.surrogate->ratio_of_soil, own.soil.fines_content, most);
-    if (own.ratios.back() < own.soil.surrogate->ratio_of_soil) {
-        own.soil = grains::surrogate_of(measured, split.finer_than, own.ratios.back());
-    }
-    own.grains = std::llround(std::ceil(grains_at(own.ratios.back(), own.soil.fines_content)));
+    own.ratios = simulated_ratios(measured, split.finer_than, most);
+    own.soil = grains::surrogate_of(measured, {.finer_than = split.finer_than, .size_ratio = own.ratios.back()});
+    own.coarse_grains = coarse_grains_of(own.soil);
+    own.grains = std::llround(std::ceil(grains_of(own.soil)));
     return own;
 }
 

@@ -11,15 +11,13 @@
 
 namespace suffuse::apps {
 
-/// Coarse grains of its samples.
-inline constexpr double surrogate_coarse_grains = 60;
-
 struct OwnSurrogate {
     std::string name;           ///< of the file, fit for a table of a case and a folder
     grains::Soil soil;          ///< the surrogate at the largest of its ratios
     std::string reason;         ///< why the curve is split there
     std::vector<double> ratios; ///< that are simulated, rising: the soil's alone, or several up to the largest in reach
-    std::int64_t grains = 0;    ///< of a sample at the largest of them
+    std::int64_t coarse_grains = 0; ///< of each sample
+    std::int64_t grains = 0;        ///< of a sample at the largest of them
 
     [[nodiscard]] bool is_extrapolated() const { return ratios.size() > 1; }
 };

@@ -17,8 +17,8 @@ namespace suffuse::apps {
 namespace {
 
 constexpr std::string_view case_form =
-    R"(# Which gradients move the fines of {name}? The soil is too wide to simulate. Two fractions of nearly equal grains stand
-# for it: a surrogate, with its fines content and {ratio_note}
+    R"(# Which gradients move the fines of {name}? The soil is too wide to simulate. Two fractions stand for it:
+# a surrogate, with its fines content and {ratio_note}
 # `#~` marks assumed values; the report lists them on its first page.
 # What a key means: suffuse explain KEY.
 schema = 1
@@ -38,7 +38,7 @@ grading_tolerance = "4 %"             # few coarse grains follow the curve less 
 [study.surrogate]
 soil        = "{name}"
 replicates  = 3                       #~
-sample_size = {{ coarse_grains = {coarse:g}, cell_width = 10, at_least = 1_500 }} #~ whichever takes fewer grains
+sample_size = {{ coarse_grains = {coarse}, cell_width = 10, at_least = 1_500 }} #~ whichever takes fewer grains
 {sweep}
 [[study.surrogate.stage]]
 name     = "cloud"
@@ -89,7 +89,8 @@ std::string own_case_text(const OwnSurrogate& own, const OwnConditions& conditio
     for (const FlowWay& way : ways) {
         stages += stage_text(way, conditions);
     }
-    const bool is_wide = own.ratios.front() * grains::surrogate_width >= casefile::wide_grading;
+    const bool is_wide =
+        own.ratios.front() * std::sqrt(surrogate.coarse_width * surrogate.fines_width) >= casefile::wide_grading;
     const std::string of_soil = short_number(surrogate.ratio_of_soil);
     return fmt::format(
         case_form, fmt::arg("name", own.name),
@@ -110,7 +111,7 @@ std::string own_case_text(const OwnSurrogate& own, const OwnConditions& conditio
         ),
         fmt::arg("gravity", gravity_text), fmt::arg("limit", 1e3 * surrogate.finer_than),
         fmt::arg("content", 100 * own.soil.fines_content), fmt::arg("reason", own.reason),
-        fmt::arg("coarse", surrogate_coarse_grains),
+        fmt::arg("coarse", own.coarse_grains),
         fmt::arg(
             "protocol",
             is_wide ? "protocol = \"wide\"                     # for fines much smaller than the coarse grains\n" : ""

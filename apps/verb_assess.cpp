@@ -277,7 +277,7 @@ std::optional<report::PagePlace> place_of(const json& about) {
     for (const json& entry : list) {
         const bool is_inside = entry.at("inside");
         place.is_inside = place.is_inside || is_inside;
-        if (is_inside && entry.at("flow") == atlas::name_of(atlas::Flow::Up)) {
+        if (is_inside && entry.at("flow") == atlas::name_of(atlas::Flow::Up) && !entry.at("wide_fines").get<bool>()) {
             place.upward.push_back(entry);
         }
     }

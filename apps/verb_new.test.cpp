@@ -237,10 +237,10 @@ TEST_F(NewSoil, ASurrogateStandsForASoilThatIsTooWide) {
     const nlohmann::json document = made.json();
     EXPECT_NEAR(document.at("fines_content").get<double>(), 0.21, 1e-12);
     EXPECT_TRUE(document.at("extrapolated").get<bool>());
-    EXPECT_EQ(document.at("size_ratios"), nlohmann::json({4, 6.5, 10}));
+    EXPECT_EQ(document.at("size_ratios"), nlohmann::json({3, 4.5, 7.5}));
     const std::string text = read_all(folder / "wide-gravel/case.toml");
     expect_in("surrogate         = { finer_than = \"0.3 mm\" }", text);
-    expect_in("size_ratio = [4, 6.5, 10]", text);
+    expect_in("size_ratio = [3, 4.5, 7.5]", text);
     expect_in("direction = \"x\"", text);
     expect_in("direction = \"z\"", text);
     const ProgramResult plan = run_suffuse({"plan", "wide-gravel", "--json"});

@@ -39,7 +39,7 @@ def mm(sizes):
 
 def coarse_grains(width):
     """So many that the cell is three of the largest wide."""
-    return round(105 * max(1, width / 2) ** 2.5)
+    return round(105 * (width / 2) ** 2.5)
 
 
 def changes_of(name, seed):
@@ -50,7 +50,8 @@ def changes_of(name, seed):
         "soil.whole.coarse.psd": {"d": mm(sizes[2:]), "passing": ["0 %", "100 %"]},
         "soil.whole.fines.psd": {"d": mm(sizes[:2]), "passing": ["0 %", "100 %"]},
         "soil.whole.fines_content": share,
-        "study.whole.sample_size.coarse_grains": coarse_grains(coarse_width),
+        "study.whole.sample_size.coarse_grains": max(105, coarse_grains(coarse_width)),
+        "study.stand-in.sample_size.coarse_grains": max(60, coarse_grains(min(coarse_width, 2.0))),  # as suffuse new has it
     }
     if sizes[2] > 1.0001 * sizes[1]:
         changes["soil.stand-in.psd"] = {"d": mm(sizes), "passing": ["0 %", share, share, "100 %"]}
@@ -77,10 +78,10 @@ def row_of(stage):
 
 
 def make(given, samples, name, seed):
-    if samples.of(soil=name, seed=float(seed)):
-        return
-    run = common.conduct(given, "surrogate", [], changes_of(name, seed), folder=f"surrogate/{name}-{seed}")
     for model in ("whole", "stand-in"):
+        if samples.of(soil=name, seed=float(seed), model=model):
+            continue
+        run = common.conduct(given, "surrogate", [model], changes_of(name, seed), folder=f"surrogate/{name}-{seed}-{model}")
         row = row_of(run[f"{model}/up"])
         samples.add(soil=name, seed=float(seed), model=model, **row)
         print(name, seed, model, *(f"{key} {value:.3g}" for key, value in row.items()), file=sys.stderr, flush=True)

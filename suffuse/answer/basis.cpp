@@ -115,7 +115,7 @@ void doubt_model(const MobilityStory& story, std::vector<Doubt>& doubts) {
     if (const grains::Surrogate* const surrogate = story.surrogate()) {
         doubts.push_back(
             {surrogate->ratio_of_soil > 1.001 * surrogate->size_ratio ? 10.0 : 3.0,
-             "Two fractions of nearly equal grains stand for the soil: see “The soil and its surrogate”."}
+             "Two fractions stand for the soil: see “The soil and its surrogate”."}
         );
         return;
     }

@@ -123,7 +123,7 @@ TEST_F(Basis, TheLargestDoubtComesFirst) {
 
 TEST_F(Basis, ASurrogateIsADoubtOfItsOwn) {
     const grains::Grading curve{{0.1e-3, 0.4e-3, 1e-3, 4e-3}, {0, 0.2, 0.2, 1}, ""};
-    variant_.soil = grains::surrogate_of(curve, 0.5e-3, 4);
+    variant_.soil = grains::surrogate_of(curve, {.finer_than = 0.5e-3, .size_ratio = 4});
     EXPECT_NE(first_doubt(story(30, 0)).find("Two fractions"), std::string::npos);
 }
 

@@ -4,6 +4,7 @@
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/grains/surrogate.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,25 +21,24 @@ const grains::Soil& soil_of(const MobilityStory& story) {
     return *story.first->variant->soil;
 }
 
-/// D90/D10 of the part of a curve between two shares of the mass; nothing where one of them was not measured.
-std::optional<double> width_between(const Grading& curve, double from, double to) {
-    constexpr double tenth = 0.1;
-    const double low = from + tenth * (to - from), high = to - tenth * (to - from);
-    if (low < curve.passing.front() || high > curve.passing.back()) {
-        return std::nullopt;
-    }
-    return grains::size_at(curve, high) / grains::size_at(curve, low);
-}
-
 std::string width_text(const std::optional<double>& width) {
     return width ? short_number(*width, 2) : "unknown";
 }
 
-/// Both parts' widths as text: the coarse part, the fines.
-std::pair<std::string, std::string> widths_of(const grains::Soil& soil) {
+/// D90/D10 of the coarse part and of the fines as text.
+struct Widths {
+    std::string coarse, fines;
+};
+
+Widths widths_of(const grains::Soil& soil) {
     return {
-        width_text(width_between(*soil.measured, soil.fines_content, 1)),
-        width_text(width_between(*soil.measured, 0, soil.fines_content))};
+        width_text(grains::width_between(*soil.measured, soil.fines_content, 1)),
+        width_text(grains::width_between(*soil.measured, 0, soil.fines_content))};
+}
+
+Widths widths_of_surrogate(const grains::Soil& soil) {
+    return {
+        width_text(grains::width_between(*soil.coarse, 0, 1)), width_text(grains::width_between(*soil.fines, 0, 1))};
 }
 
 /// "4, 6.5 and 10".
@@ -94,15 +94,19 @@ std::string gradients_by_ratio(
 
 std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ratio) {
     constexpr double silt = 0.063e-3, as_good_as_equal = 1.001;
-    const auto [coarse, fines] = widths_of(soil);
-    std::vector<std::string> sentences = {
-        fmt::format(
-            "The width of both parts: D90/D10 is {} in the coarse part and {} in the fines. Each fraction of the "
-            "surrogate has nearly equal grains.",
-            coarse, fines
-        ),
-        "The shape of the grains: the model has spheres with rolling resistance.",
-        "The density in the field: the sample is as dense as its preparation makes it."};
+    const Widths own = widths_of(soil), modeled = widths_of_surrogate(soil);
+    std::vector<std::string> sentences;
+    if (own.coarse != modeled.coarse || own.fines != modeled.fines) {
+        sentences.push_back(fmt::format(
+            "The width of both parts: D90/D10 is {} in the coarse part and {} in the fines. The surrogate has {} and "
+            "{}.",
+            own.coarse, own.fines, modeled.coarse, modeled.fines
+        ));
+    }
+    sentences.insert(
+        sentences.end(), {"The shape of the grains: the model has spheres with rolling resistance.",
+                          "The density in the field: the sample is as dense as its preparation makes it."}
+    );
     if (soil.surrogate->ratio_of_soil > as_good_as_equal * largest_ratio) {
         sentences.push_back(fmt::format(
             "The size ratio of {}: the largest that was simulated is {}.", short_number(soil.surrogate->ratio_of_soil),
@@ -154,8 +158,8 @@ std::optional<figures::PageTable> tabulate_surrogate(const std::vector<MobilityS
     }
     const grains::Soil& soil = soil_of(*by_ratio.back());
     const grains::Surrogate& surrogate = *soil.surrogate;
-    const auto [coarse, fines] = widths_of(soil);
-    const std::string content = percent_text(soil.fines_content), equal = width_text(width_between(*soil.coarse, 0, 1));
+    const Widths own = widths_of(soil), modeled = widths_of_surrogate(soil);
+    const std::string content = percent_text(soil.fines_content);
     figures::PageTable table;
     table.section = "Soils";
     table.title = "The soil and its surrogate";
@@ -172,8 +176,8 @@ std::optional<figures::PageTable> tabulate_surrogate(const std::vector<MobilityS
         {"D50 of the coarse part [mm]",
          short_number(1e3 * grains::size_at(*soil.measured, (1 + soil.fines_content) / 2)),
          short_number(1e3 * grains::size_at(*soil.coarse, 0.5))},
-        {"D90/D10 of the coarse part [-]", coarse, equal},
-        {"d90/d10 of the fines [-]", fines, equal}};
+        {"D90/D10 of the coarse part [-]", own.coarse, modeled.coarse},
+        {"d90/d10 of the fines [-]", own.fines, modeled.fines}};
     return table;
 }
 

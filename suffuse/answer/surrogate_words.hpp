@@ -1,5 +1,5 @@
 #pragma once
-// A surrogate in words: what two fractions of nearly equal grains leave out of the soil that they stand for, and how
+// A surrogate in words: what two fractions leave out of the soil that they stand for, and how
 // the gradients depend on the size ratio where the soil's own could not be simulated.
 
 #include "suffuse/figures/page_table.hpp"

@@ -37,7 +37,7 @@ protected:
     void add(double ratio, const erosion::MobilityResult& mobility) {
         casefile::Variant variant;
         variant.values["size_ratio"] = ratio;
-        variant.soil = grains::surrogate_of(silty_gravel, 0.3e-3, ratio);
+        variant.soil = grains::surrogate_of(silty_gravel, {.finer_than = 0.3e-3, .size_ratio = ratio});
         variants_.push_back(variant);
         stages_.push_back({&study_, &variants_.back(), &stage_, nlohmann::json::object(), {}});
         stages_.back().findings.mobility = mobility;
@@ -84,7 +84,7 @@ TEST_F(Surrogates, TheTableHasBothSoilsAndWhatIsLeftOut) {
 TEST_F(Surrogates, AWidthThatWasNotMeasuredIsUnknown) {
     grains::Grading open = silty_gravel;
     open.passing.front() = 0.05;
-    const grains::Soil soil = grains::surrogate_of(open, 0.3e-3);
+    const grains::Soil soil = grains::surrogate_of(open, {.finer_than = 0.3e-3});
     EXPECT_NE(left_out_of(soil, soil.surrogate->size_ratio).front().find("unknown in the fines"), std::string::npos);
     EXPECT_EQ(left_out_of(soil, soil.surrogate->size_ratio).size(), 4U) << "its own ratio is simulated";
 }

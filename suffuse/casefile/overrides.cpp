@@ -290,8 +290,10 @@ bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& v
     if (key == "finer_than" || key == "fines.finer_than") {
         return !set_at(*target.soil, {"fines", "finer_than"}, value, value.place);
     }
-    if (key == "size_ratio" || key == "surrogate.size_ratio") {
-        return !set_at(*target.soil, {"surrogate", "size_ratio"}, value, value.place);
+    for (const char* const name : {"size_ratio", "coarse_width", "fines_width"}) {
+        if (key == name || key == std::string("surrogate.") + name) {
+            return !set_at(*target.soil, {"surrogate", name}, value, value.place);
+        }
     }
     const Key* soil_key = find_key("soil.*", key);
     if (soil_key == nullptr || soil_key->kind != ValueKind::Ratio) {

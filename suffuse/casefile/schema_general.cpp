@@ -198,9 +198,8 @@ std::vector<Key> soil_and_study_rows() {
         )),
         table(
             "soil.*", "surrogate",
-            "The soil of `psd` is too wide to simulate: two fractions of nearly equal grains stand for it, with its "
-            "size "
-            "ratio and its fines content."
+            "The soil of `psd` is too wide to simulate: two fractions stand for it, with its size ratio and its fines "
+            "content."
         ),
         required(quantity(
             "soil.*.surrogate", "finer_than", dimension::length, above_zero,
@@ -209,6 +208,14 @@ std::vector<Key> soil_and_study_rows() {
         ratio(
             "soil.*.surrogate", "size_ratio", {grains::least_size_ratio, 1e9, false, false},
             "Of the two fractions; D50 of the curve's coarse part / d50 of its fines unless given."
+        ),
+        ratio(
+            "soil.*.surrogate", "coarse_width", {1, 1e9, true, false},
+            "Largest size of the coarse fraction / its smallest; that of the curve unless given, from 1.22 to 2."
+        ),
+        ratio(
+            "soil.*.surrogate", "fines_width", {1, 1e9, true, false},
+            "Likewise of the fines; that of the curve unless given, from 1.22 to 4."
         ),
         table("soil.*", "coarse", "Coarse part of a soil of two fractions."),
         required(other("soil.*.coarse", "psd", psd, "Grading curve of the coarse part alone.")),

@@ -150,11 +150,14 @@ void read_surrogate(Reader& v, grains::Soil& soil) {
         return;
     }
     Place place;
-    std::optional<double> finer_than, modeled;
+    grains::SurrogateSpec spec;
+    std::optional<double> finer_than;
     v.table("surrogate", [&](Reader& inner) {
         place = inner.place();
         inner.field("finer_than", finer_than);
-        inner.field("size_ratio", modeled);
+        inner.field("size_ratio", spec.size_ratio);
+        inner.field("coarse_width", spec.coarse_width);
+        inner.field("fines_width", spec.fines_width);
     });
     for (const char* const key : {"sizes", "coarse", "fines", "fines_content"}) {
         if (v.has(key)) {
@@ -167,8 +170,9 @@ void read_surrogate(Reader& v, grains::Soil& soil) {
     if (!finer_than || !soil.whole) {
         return; // reported where they are read
     }
+    spec.finer_than = *finer_than;
     const std::optional<double> of_curve = grains::size_ratio(*soil.whole, *finer_than);
-    if (!of_curve || modeled.value_or(*of_curve) < grains::least_size_ratio) {
+    if (!of_curve || spec.size_ratio.value_or(*of_curve) < grains::least_size_ratio) {
         v.error(
             "E508", place,
             of_curve
@@ -181,7 +185,7 @@ void read_surrogate(Reader& v, grains::Soil& soil) {
         );
         return;
     }
-    soil = grains::surrogate_of(*soil.whole, *finer_than, modeled);
+    soil = grains::surrogate_of(*soil.whole, spec);
 }
 
 void read_fines(Reader& v, grains::Soil& soil) {
@@ -299,6 +303,8 @@ Node write_soil(const grains::Soil& soil) {
         v.table("surrogate", [&](Writer& inner) {
             inner.field("finer_than", soil.surrogate->finer_than);
             inner.field("size_ratio", soil.surrogate->size_ratio);
+            inner.field("coarse_width", soil.surrogate->coarse_width);
+            inner.field("fines_width", soil.surrogate->fines_width);
         });
         v.field("grading_tolerance", soil.grading_tolerance);
         return v.node();

@@ -14,11 +14,13 @@ struct Grading {
     std::string origin;           ///< file it was read from, for messages
 };
 
-/// What two fractions of nearly equal grains stand for: grains/surrogate.hpp.
+/// What two fractions stand for: grains/surrogate.hpp.
 struct Surrogate {
     double finer_than = 0;    ///< where the soil's curve is split [m]
     double ratio_of_soil = 0; ///< D50 of its coarse part / d50 of its fines [-]
     double size_ratio = 0;    ///< of the two fractions [-]
+    double coarse_width = 0;  ///< largest size over smallest of the coarse fraction [-]
+    double fines_width = 0;   ///< likewise of the fines [-]
 };
 
 /// Either one grading with a size below which grains are fine, or two gradings mixed at a fines content.

@@ -15,7 +15,7 @@ const Grading gap_graded{{0.1e-3, 0.4e-3, 1e-3, 4e-3}, {0, 0.2, 0.2, 1}, "gap"};
 
 TEST(Surrogate, HasTheSizeRatioOfTheMediansAndTheFinesContentOfTheCurve) {
     EXPECT_NEAR(*size_ratio(gap_graded, 0.5e-3), 10, 1e-12);
-    const Soil soil = surrogate_of(gap_graded, 0.5e-3);
+    const Soil soil = surrogate_of(gap_graded, {.finer_than = 0.5e-3});
     EXPECT_NEAR(soil.fines_content, 0.2, 1e-12);
     EXPECT_NEAR(size_at(*soil.coarse, 0.5), 2e-3, 1e-15) << "coarse grains keep their size";
     EXPECT_NEAR(size_at(*soil.fines, 0.5), 0.2e-3, 1e-16);
@@ -23,17 +23,38 @@ TEST(Surrogate, HasTheSizeRatioOfTheMediansAndTheFinesContentOfTheCurve) {
     EXPECT_NEAR(soil.surrogate->size_ratio, 10, 1e-12);
 }
 
-TEST(Surrogate, ItsFractionsAreWithinATenthOfTheirMeanSize) {
-    const Soil soil = surrogate_of(gap_graded, 0.5e-3);
-    for (const Grading& part : {*soil.coarse, *soil.fines}) {
-        const double mean = (part.diameter.front() + part.diameter.back()) / 2;
-        EXPECT_NEAR(part.diameter.front(), 0.9 * mean, 1e-12 * mean);
-        EXPECT_NEAR(part.diameter.back(), 1.1 * mean, 1e-12 * mean);
+/// Largest size over smallest.
+double width_of(const Grading& part) {
+    return part.diameter.back() / part.diameter.front();
+}
+
+TEST(Surrogate, ItsFractionsAreAsWideAsTheSoilsPartsUpToWhatCanBePaidFor) {
+    const Soil capped = surrogate_of(gap_graded, {.finer_than = 0.5e-3}); // both parts are a factor of 4 wide
+    EXPECT_NEAR(width_of(*capped.coarse), 2, 1e-12);
+    EXPECT_NEAR(width_of(*capped.fines), 4, 1e-12);
+    EXPECT_NEAR(*width_between(*capped.fines, 0, 1), *width_between(gap_graded, 0, 0.2), 1e-12);
+    const Grading narrow{{0.2e-3, 0.3e-3, 2e-3, 2.02e-3}, {0, 0.2, 0.2, 1}, ""};
+    const Soil kept = surrogate_of(narrow, {.finer_than = 0.5e-3});
+    EXPECT_NEAR(width_of(*kept.coarse), 1.1 / 0.9, 1e-12) << "at least within a tenth of the mean";
+    EXPECT_NEAR(width_of(*kept.fines), 1.5, 1e-12);
+    Grading open = gap_graded;
+    open.passing.front() = 0.05;
+    EXPECT_NEAR(width_of(*surrogate_of(open, {.finer_than = 0.5e-3}).fines), 4, 1e-12) << "unknown: the widest";
+    const Soil given = surrogate_of(gap_graded, {.finer_than = 0.5e-3, .coarse_width = 1.5, .fines_width = 3});
+    EXPECT_NEAR(width_of(*given.coarse), 1.5, 1e-12);
+    EXPECT_NEAR(width_of(*given.fines), 3, 1e-12);
+}
+
+TEST(Surrogate, ItsFractionsDoNotOverlapAtAnyRatio) {
+    for (const double ratio : {1.3, 1.7, 2.5, 3.0, 10.0}) {
+        const Soil soil = surrogate_of(gap_graded, {.finer_than = 0.5e-3, .size_ratio = ratio});
+        EXPECT_LE(soil.fines->diameter.back(), soil.coarse->diameter.front() * (1 + 1e-12)) << ratio;
+        EXPECT_GE(width_of(*soil.fines), least_width) << ratio;
     }
 }
 
 TEST(Surrogate, AnotherRatioMovesTheFinesOnly) {
-    const Soil soil = surrogate_of(gap_graded, 0.5e-3, 4);
+    const Soil soil = surrogate_of(gap_graded, {.finer_than = 0.5e-3, .size_ratio = 4});
     EXPECT_NEAR(size_at(*soil.coarse, 0.5), 2e-3, 1e-15);
     EXPECT_NEAR(size_at(*soil.fines, 0.5), 0.5e-3, 1e-16);
     EXPECT_NEAR(soil.surrogate->ratio_of_soil, 10, 1e-12);
@@ -53,8 +74,9 @@ TEST(Surrogate, NeedsTheMiddleOfBothPartsOnTheMeasuredCurve) {
     EXPECT_TRUE(size_ratio(open, 0.5e-3)) << "10 % and 60 % were measured";
     EXPECT_FALSE(size_ratio(open, 0.1e-3)) << "4 % was not";
     EXPECT_FALSE(size_ratio(gap_graded, 5e-3)) << "no coarse grains";
-    EXPECT_THROW(surrogate_of(open, 0.1e-3), CaseError);
-    EXPECT_THROW(surrogate_of(gap_graded, 0.5e-3, 1.2), CaseError) << "its fractions overlap";
+    EXPECT_THROW(surrogate_of(open, {.finer_than = 0.1e-3}), CaseError);
+    EXPECT_THROW(surrogate_of(gap_graded, {.finer_than = 0.5e-3, .size_ratio = 1.2}), CaseError)
+        << "its fractions overlap";
 }
 
 } // namespace

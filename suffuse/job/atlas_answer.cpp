@@ -59,7 +59,9 @@ void split_soil(const grains::Grading& measured, const std::optional<double>& fi
         );
         return;
     }
-    answer.parts = TwoParts{split->finer_than, split->reason, *ratio, grains::passing(measured, split->finer_than)};
+    const double content = grains::passing(measured, split->finer_than);
+    answer.parts =
+        TwoParts{split->finer_than, split->reason, *ratio, content, grains::width_between(measured, 0, content)};
 }
 
 /// i_c of a sample of the atlas with the soil's density of grains.
@@ -98,6 +100,8 @@ json found_json(const TwoParts& parts, const atlas::Found& found, const AtlasFlo
     return {
         {"size_ratio", parts.size_ratio},
         {"fines_content", parts.fines_content},
+        {"fines_width", or_null(parts.fines_width)},
+        {"wide_fines", parts.has_wide_fines()},
         {"density", atlas::name_of(found.density)},
         {"flow", atlas::name_of(found.flow)},
         {"inside", is_inside},

@@ -19,6 +19,14 @@ struct TwoParts {
     double finer_than = 0; ///< where the curve is split [m]
     std::string reason;    ///< why there
     double size_ratio = 0, fines_content = 0;
+    std::optional<double> fines_width; ///< D90/D10 of the fines; none: not measured [-]
+
+    /// Whether the atlas, whose fines have nearly equal sizes, has gradients that are too high for them
+    /// (validation/surrogate.md: by 28 to 38 % where the fines were a factor of 3 to 4 wide).
+    [[nodiscard]] bool has_wide_fines() const {
+        constexpr double wide = 2.2; // between factors of 2.5 and 3
+        return fines_width.value_or(wide) >= wide;
+    }
 };
 
 /// One flow, and how well the atlas interpolates in it.

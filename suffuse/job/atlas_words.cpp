@@ -223,11 +223,26 @@ std::optional<std::string> sifting_note(const AtlasAnswer& answer) {
                            ));
 }
 
+/// Nothing where the soil's fines are like those of the atlas.
+std::optional<std::string> width_note(const TwoParts& parts) {
+    if (!parts.has_wide_fines()) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "too high for this soil: its fines are wide (d90/d10 {}), and the smallest move first; the atlas has fines of "
+        "one size. For soils with fines a factor of 3 to 4 wide its first gradients were 28 to 38 % too high",
+        parts.fines_width ? short_number(*parts.fines_width, 2) : "not measured"
+    );
+}
+
 std::vector<std::string> inside_notes(const AtlasAnswer& answer, const Seepage& seepage) {
     std::vector<std::string> notes = {
         answer_note(answer, seepage), interpolation_note(answer) + "; " + scatter_note(answer)};
     if (auto sifting = sifting_note(answer)) {
         notes.push_back(std::move(*sifting));
+    }
+    if (auto width = width_note(*answer.parts)) {
+        notes.push_back(std::move(*width));
     }
     return notes;
 }

@@ -107,6 +107,16 @@ TEST(AtlasAnswer, BoundsSiftingAndScatterAreReported) {
     EXPECT_TRUE(has(words.notes, "fall through the skeleton by themselves: up to 4 % of their mass (loose)"));
 }
 
+TEST(AtlasAnswer, CallsItsGradientsTooHighForWideFines) {
+    const grains::Grading wide{{0.1e-3, 0.4e-3, 0.9e-3, 1.1e-3}, {0, 0.15, 0.15, 1}, "wide"};
+    const stability::AssessSpec spec = spec_at(0.3);
+    const AtlasAnswer answer = consult_atlas(wide, spec, atlas_around_five());
+    EXPECT_TRUE(has(atlas_words(answer, *spec.seepage).notes, "too high for this soil: its fines are wide (d90/d10 3)")
+    );
+    EXPECT_EQ(atlas_json(answer, spec)[0]["wide_fines"], true);
+    EXPECT_FALSE(has(words_of(atlas_around_five(), 0.15, spec).notes, "too high"));
+}
+
 TEST(AtlasAnswer, ASoilWithoutAnUnstableSplitHasNoParts) {
     const grains::Grading uniform{{0.9e-3, 1.1e-3}, {0, 1}, "uniform"};
     const stability::AssessSpec spec = spec_at(0.3);

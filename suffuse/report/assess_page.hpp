@@ -15,7 +15,8 @@ namespace suffuse::report {
 struct PagePlace {
     double size_ratio = 0, fines_content = 0;
     bool is_inside = false;
-    nlohmann::json upward = nlohmann::json::array(); ///< entries of `assess --json` for upward flow within the atlas
+    nlohmann::json upward =
+        nlohmann::json::array(); ///< entries of `assess --json` for upward flow that say something of this soil
 };
 
 struct PageSoil {
