@@ -10,6 +10,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
+#include <span>
 
 namespace suffuse::answer {
 namespace {
@@ -47,24 +49,39 @@ std::string listed(const std::vector<std::string>& parts) {
                             : fmt::format("{} and {}", fmt::join(parts.begin(), parts.end() - 1, ", "), parts.back());
 }
 
-/// Those of the reported stage, the size ratio rising.
-std::vector<const MobilityStory*> stories_by_ratio(const std::vector<MobilityStory>& stories) {
+/// Of one stage, the size ratio rising.
+using ByRatio = std::vector<const MobilityStory*>;
+
+/// A stage of the reported study each, the reported one first; none where its soil is no surrogate.
+std::vector<ByRatio> stages_by_ratio(const std::vector<MobilityStory>& stories) {
     const MobilityStory* const main = study::main_mobility(stories);
-    std::vector<const MobilityStory*> found;
     if (main == nullptr || main->surrogate() == nullptr) {
-        return found;
+        return {};
     }
+    std::vector<ByRatio> stages = {{}};
+    std::map<std::string, std::size_t> row_of = {{main->first->stage->name, 0}};
     for (const MobilityStory& story : stories) {
-        if (story.surrogate() != nullptr && story.first->study == main->first->study &&
-            story.first->stage->name == main->first->stage->name) {
-            found.push_back(&story);
+        if (story.surrogate() == nullptr || story.first->study != main->first->study) {
+            continue;
         }
+        const auto [found, is_new] = row_of.emplace(story.first->stage->name, stages.size());
+        if (is_new) {
+            stages.emplace_back();
+        }
+        stages[found->second].push_back(&story);
     }
-    std::ranges::sort(found, {}, [](const MobilityStory* story) { return story->surrogate()->size_ratio; });
-    return found;
+    for (ByRatio& stage : stages) {
+        std::ranges::sort(stage, {}, [](const MobilityStory* story) { return story->surrogate()->size_ratio; });
+    }
+    return stages;
 }
 
-std::string ratios_of(const std::vector<const MobilityStory*>& stories) {
+ByRatio reported_by_ratio(const std::vector<MobilityStory>& stories) {
+    std::vector<ByRatio> stages = stages_by_ratio(stories);
+    return stages.empty() ? ByRatio{} : stages.front();
+}
+
+std::string ratios_of(const ByRatio& stories) {
     std::vector<std::string> texts;
     texts.reserve(stories.size());
     for (const MobilityStory* const story : stories) {
@@ -74,10 +91,8 @@ std::string ratios_of(const std::vector<const MobilityStory*>& stories) {
 }
 
 /// "0.40, 0.30 and 0.22", with "more than 1.2" where the ramp ends before.
-std::string gradients_by_ratio(
-    const std::vector<const MobilityStory*>& stories, study::Scatter MobilityStory::*gradient,
-    bool MobilityStory::*at_most
-) {
+std::string
+gradients_by_ratio(const ByRatio& stories, study::Scatter MobilityStory::*gradient, bool MobilityStory::*at_most) {
     std::vector<std::string> texts;
     texts.reserve(stories.size());
     for (const MobilityStory* const story : stories) {
@@ -88,6 +103,19 @@ std::string gradients_by_ratio(
         );
     }
     return listed(texts);
+}
+
+/// "a tenth at 0.60 and more than 1.20", "less than a tenth up to i = 1.20".
+std::string tenth_by_ratio(const ByRatio& stories) {
+    const auto is_never = [](const MobilityStory* story) { return story->moves_10.seeds == 0; };
+    if (std::ranges::all_of(stories, is_never)) {
+        return fmt::format("less than a tenth up to i = {:.2f}", stories.front()->one().ramp.back().gradient);
+    }
+    return "a tenth at " + gradients_by_ratio(stories, &MobilityStory::moves_10, &MobilityStory::at_most_10);
+}
+
+std::string first_by_ratio(const ByRatio& stories) {
+    return gradients_by_ratio(stories, &MobilityStory::moves_1, &MobilityStory::at_most_1);
 }
 
 } // namespace
@@ -122,25 +150,24 @@ std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ra
 }
 
 const MobilityStory* nearest_surrogate(const std::vector<MobilityStory>& stories) {
-    const std::vector<const MobilityStory*> by_ratio = stories_by_ratio(stories);
+    const ByRatio by_ratio = reported_by_ratio(stories);
     return by_ratio.empty() ? nullptr : by_ratio.back();
 }
 
 std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stories) {
-    const std::vector<const MobilityStory*> by_ratio = stories_by_ratio(stories);
-    if (by_ratio.size() < 2) {
+    const std::vector<ByRatio> stages = stages_by_ratio(stories);
+    if (stages.empty() || stages.front().size() < 2) {
         return {};
     }
-    const MobilityStory& last = *by_ratio.back();
-    std::vector<std::string> lines = {
-        fmt::format(
-            "{} moves 1 % of the fines at i = {} at size ratios of {}.", subject_of(last),
-            gradients_by_ratio(by_ratio, &MobilityStory::moves_1, &MobilityStory::at_most_1), ratios_of(by_ratio)
-        ),
-        fmt::format(
-            "It moves a tenth at {}.",
-            gradients_by_ratio(by_ratio, &MobilityStory::moves_10, &MobilityStory::at_most_10)
-        )};
+    const ByRatio& reported = stages.front();
+    const MobilityStory& last = *reported.back();
+    std::vector<std::string> lines = {fmt::format(
+        "{} moves 1 % of the fines at i = {} at size ratios of {}.", subject_of(last), first_by_ratio(reported),
+        ratios_of(reported)
+    )};
+    if (stages.size() == 1) {
+        lines.push_back(fmt::format("It moves {}.", tenth_by_ratio(reported)));
+    }
     const double of_soil = last.surrogate()->ratio_of_soil, largest = last.surrogate()->size_ratio;
     if (of_soil > largest) {
         lines.push_back(
@@ -148,11 +175,16 @@ std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stor
             (of_soil > sifting_ratio ? " Above 6.5 single fines sift through the skeleton without flow." : "")
         );
     }
+    for (const ByRatio& other : std::span(stages).subspan(1)) {
+        lines.push_back(
+            fmt::format("{} flow moves 1 % at {}.", flow_in_words(other.back()->one()), first_by_ratio(other))
+        );
+    }
     return lines;
 }
 
 std::optional<figures::PageTable> tabulate_surrogate(const std::vector<MobilityStory>& stories) {
-    const std::vector<const MobilityStory*> by_ratio = stories_by_ratio(stories);
+    const ByRatio by_ratio = reported_by_ratio(stories);
     if (by_ratio.empty()) {
         return std::nullopt;
     }

@@ -69,6 +69,26 @@ TEST_F(Surrogates, OfSeveralRatiosTheVerdictShowsTheTrendAndCallsTheSoilsOwnAnEx
     );
 }
 
+TEST_F(Surrogates, WhatNoRatioReachesIsNotRepeated) {
+    add(4, moved_at(0.41, std::nullopt)), add(10, moved_at(0.22, std::nullopt));
+    EXPECT_EQ(verdict_by_ratio(study::gather_mobility(stages_))[1], "It moves less than a tenth up to i = 1.20.");
+}
+
+TEST_F(Surrogates, TheVerdictHasBothFlowsInThreeLines) {
+    const casefile::Stage level{.name = "level", .spec = erosion::DetachStageSpec{}};
+    for (const double ratio : {4.0, 10.0}) {
+        add(ratio, moved_at(0.41, 0.6));
+        add(ratio, moved_at(0.1, 0.3));
+        stages_.back().stage = &level;
+        stages_.back().findings.mobility->direction = {1, 0, 0};
+    }
+    const std::vector<std::string> lines = verdict_by_ratio(study::gather_mobility(stages_));
+    ASSERT_EQ(lines.size(), 3U) << "no more are shown";
+    EXPECT_EQ(lines[0].find("By a surrogate, upward flow moves 1 %"), 0U);
+    EXPECT_NE(lines[1].find("an extrapolation"), std::string::npos);
+    EXPECT_EQ(lines[2], "Level flow moves 1 % at 0.10 and 0.10.");
+}
+
 TEST_F(Surrogates, TheTableHasBothSoilsAndWhatIsLeftOut) {
     add(4, moved_at(0.41, 0.6)), add(10, moved_at(0.22, std::nullopt));
     const auto table = tabulate_surrogate(study::gather_mobility(stages_));
