@@ -10,7 +10,7 @@ import suffuse
 
 STEP = 0.075  # of the ramps in critical_gradient.toml, which the program refines
 SOFTER = 1e-4  # a tenth of the K that scales forces: curves may not depend on it
-SOFTENED = {"ratio-6-5": 20, "ratio-3-5": 20}  # dense soils and their fines contents [%] for which K is varied
+SOFTENED = {"ratio-6-5": 5, "ratio-3-5": 20}  # dense soils and their fines contents [%] for which K is varied
 SEEDS = 5  # of the soil of ratio 6.5 with 10 % of fines
 
 
@@ -86,7 +86,8 @@ def check_softer(given, soil, content, verdict):
     found = differences_of_softer(run, name)
     print(f"{soil}, {content} %: difference of K and K/10", *(f"{i:.3f} {share:.4f}{'' if ended else ' moving'}" for i, share, ended in found))
     ended = [share for _, share, ended in found if ended]
-    verdict.at_least(f"{soil}, {content} %: gradients whose motion ended by K and K/10", len(ended), 3)
+    # Few: where more than a tenth of the fines moves, the ramp has one rate, and motion does not end.
+    verdict.at_least(f"{soil}, {content} %: gradients whose motion ended by K and K/10", len(ended), 2)
     verdict.at_most(f"{soil}, {content} %: their curves of K and K/10 differ by", max(ended), 0.05)
 
 
