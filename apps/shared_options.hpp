@@ -18,7 +18,7 @@ namespace suffuse::apps {
 inline constexpr const char* case_text = "the case file, or the folder of a case.toml";
 inline constexpr const char* folder_text = "the folder of a run";
 inline constexpr const char* packing_text =
-    "grains: CSV with x,y,z,r in meters, Yade's text, LAMMPS data or dump, extended XYZ, .vtp";
+    "grains: a table of Yade, PFC, EDEM or MFIX, CSV, LAMMPS data or dump, XYZ, VTK and others";
 
 /// What is changed of a case.
 struct CaseChanges : casefile::LoadOptions {

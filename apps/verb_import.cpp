@@ -42,8 +42,8 @@ struct ImportVerb final : Verb {
     void add_to(Options& options) override {
         options.argument("FILE", file, packing_text).required();
         cell.add_to(options);
-        options.value("--unit", unit, "of the lengths in the file, as in mm; m unless given").type("UNIT");
-        options.value("--radius", radius, "of all grains, where the file has none: in the file's unit, or as in 0.5mm")
+        options.value("--unit", unit, "of lengths without a unit in the file, as in mm; m unless given").type("UNIT");
+        options.value("--radius", radius, "of all grains, where the file has none: in m or in --unit, or as in 0.5mm")
             .type("R");
         output.add_to(options);
     }
@@ -61,7 +61,11 @@ nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) 
         const double solid = grains::solid_volume(taken.grains), volume = determinant(h);
         json["porosity"] = 1 - solid / volume;
         json["void_ratio"] = volume / solid - 1;
+        json["contacts"] = taken.contacts;
+        json["coordination_number"] =
+            2 * static_cast<double>(taken.contacts) / static_cast<double>(taken.grains.size());
         json["largest_overlap"] = taken.overlap;
+        json["mean_overlap"] = taken.mean_overlap;
     }
     return json;
 }
@@ -78,8 +82,10 @@ std::string sentence(const nlohmann::json& about) {
     );
     if (about.contains("void_ratio")) {
         text += fmt::format(
-            ", void ratio {}, largest overlap {} % of the smaller radius", digits_text(about["void_ratio"], 4),
-            digits_text(100 * about["largest_overlap"].get<double>(), 2)
+            ", void ratio {}, coordination number {}, largest overlap {} % of the smaller radius, mean {} %",
+            digits_text(about["void_ratio"], 4), digits_text(about["coordination_number"], 3),
+            digits_text(100 * about["largest_overlap"].get<double>(), 2),
+            digits_text(100 * about["mean_overlap"].get<double>(), 2)
         );
     }
     return text;

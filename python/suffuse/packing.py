@@ -8,12 +8,13 @@ from suffuse.spelling import spelled
 
 @spelled
 def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None):
-    """A World of the grains in a file, whichever of the formats it is: CSV with x,y,z,r, Yade's text, LAMMPS data and
-    dump, extended XYZ, VTK's .vtp, .vtu and .vtk, MercuryDPM's .data and .restart; plain or gzipped.
+    """A World of the grains in a file, whichever of the formats it is: tables (CSV, Yade, PFC, EDEM, MFIX, ParaView),
+    LAMMPS data and dump, XYZ, VTK, MercuryDPM, Kratos; plain or gzipped. docs/packings.md lists what is understood.
 
     cell: three edges or a 3 x 3 matrix whose columns are the cell vectors [m]; the file's own unless given.
     material: a Material, whose density [kg/m3] gives the masses; suffuse.Material() unless given
-    unit: what a length of 1 in the file stands for, "mm" for a file in mm; grains of a size that no soil has are warned of
+    unit: what a length of 1 stands for where the file names no unit, "mm" for a file in mm; grains of a size that no soil
+        has are warned of
     max_overlap: largest overlap that is accepted / radius of the smaller grain, as in a case
     radius: of all grains, for a file that has none [m]
     velocity_gradient: dv/dx of the cell, extension positive [1/s], which the velocities of the file contain; the one that

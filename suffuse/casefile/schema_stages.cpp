@@ -191,8 +191,8 @@ std::vector<Key> preparation_rows() {
         {
             required(text(
                 "stage.import", "packing",
-                "File of grains: CSV with columns x, y, z, r, Yade's `x y z r` text, LAMMPS data or dump, extended "
-                "XYZ, .vtp, .vtu or .vtk, MercuryDPM's .data or .restart."
+                "File of grains: CSV, a table of Yade, PFC, EDEM or MFIX, LAMMPS data or dump, XYZ, VTK, MercuryDPM, "
+                "Kratos; docs/packings.md lists what is understood."
             )),
             other(
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
@@ -200,7 +200,9 @@ std::vector<Key> preparation_rows() {
             ),
             quantity(
                 "stage.import", "unit", dimension::length, above_zero,
-                "What a length of 1 in the file stands for, its velocities likewise: \"1 mm\" where it is in mm."
+                "What a length of 1 in the file stands for, its velocities likewise: \"1 mm\" where it is in mm. Units "
+                "in the "
+                "headings of a table come first."
             ),
             quantity(
                 "stage.import", "radius", dimension::length, above_zero,

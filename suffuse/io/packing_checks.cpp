@@ -21,9 +21,10 @@ constexpr int most_images = 100; // of a grain along one direction, in a cell th
 
 constexpr double most_overlap = 2; // two like grains in one place [-]
 
-struct WorstPair {
-    neighbors::Pair pair;
-    double overlap = 0; ///< over the smaller radius [-]
+struct Overlaps {
+    neighbors::Pair worst;
+    double largest = 0, mean = 0; ///< over the smaller radius [-]
+    std::size_t contacts = 0;     ///< pairs that overlap
 };
 
 [[noreturn]] void refuse(const std::string& origin, const std::string& message) {
@@ -90,30 +91,39 @@ std::string names_of(const grains::Grains& grains, const neighbors::Pair& pair) 
 }
 
 /// Two grains in one place have no normal, however much overlap is allowed.
-WorstPair find_worst_pair(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
+Overlaps find_overlaps(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
     check_sizes(grains, h, origin);
     check_positions(grains, h, origin);
     constexpr double same_place = 1e-9; // of the smaller radius
-    WorstPair worst;
+    Overlaps found;
+    double sum = 0;
     for (const neighbors::Pair& p : neighbors::find_pairs(h, grains.position, grains.radius, 0.0)) {
         const double ri = grains.radius[p.first], rj = grains.radius[p.second], smaller = std::min(ri, rj);
         const double distance = norm(grains.position[p.second] + cell::shift(h, p.image) - grains.position[p.first]);
         if (distance < same_place * smaller) {
             refuse(origin, names_of(grains, p) + " are at the same place; check that each grain has one row");
         }
-        if (const double overlap = (ri + rj - distance) / smaller; overlap > worst.overlap) {
-            worst = {p, overlap};
+        const double overlap = (ri + rj - distance) / smaller;
+        if (!(overlap > 0)) {
+            continue;
+        }
+        ++found.contacts;
+        sum += overlap;
+        if (overlap > found.largest) {
+            found.worst = p;
+            found.largest = overlap;
         }
     }
-    return worst;
+    found.mean = found.contacts > 0 ? sum / static_cast<double>(found.contacts) : 0;
+    return found;
 }
 
-std::string complaint_about(const WorstPair& worst, const grains::Grains& grains, double share) {
+std::string complaint_about(const Overlaps& found, const grains::Grains& grains, double share) {
     return fmt::format(
         "{} overlap by {:.3g} of the smaller radius ({:.6g} mm), allowed {:.3g}; check that the cell is the packing's "
         "own, that radii are not diameters and that lengths are in m, or allow a larger overlap",
-        names_of(grains, worst.pair), worst.overlap,
-        std::min(grains.radius[worst.pair.first], grains.radius[worst.pair.second]) * 1e3, share
+        names_of(grains, found.worst), found.largest,
+        std::min(grains.radius[found.worst.first], grains.radius[found.worst.second]) * 1e3, share
     );
 }
 
@@ -224,10 +234,12 @@ TakenPacking take_packing(const PackingRequest& request) {
         say(other_cell_warning(read, h));
         say(narrow_cell_warning(read.grains, h));
         say(empty_cell_warning(read.grains, h));
-        const WorstPair worst = find_worst_pair(read.grains, h, file);
-        taken.overlap = worst.overlap;
-        if (worst.overlap > request.max_overlap) {
-            const std::string complaint = complaint_about(worst, read.grains, request.max_overlap);
+        const Overlaps found = find_overlaps(read.grains, h, file);
+        taken.overlap = found.largest;
+        taken.mean_overlap = found.mean;
+        taken.contacts = found.contacts;
+        if (found.largest > request.max_overlap) {
+            const std::string complaint = complaint_about(found, read.grains, request.max_overlap);
             if (!request.only_looks) {
                 refuse(file, complaint);
             }
@@ -241,11 +253,11 @@ TakenPacking take_packing(const PackingRequest& request) {
 }
 
 double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin) {
-    const WorstPair worst = find_worst_pair(grains, cell.h, origin);
-    if (worst.overlap > share) {
-        refuse(origin, complaint_about(worst, grains, share));
+    const Overlaps found = find_overlaps(grains, cell.h, origin);
+    if (found.largest > share) {
+        refuse(origin, complaint_about(found, grains, share));
     }
-    return worst.overlap;
+    return found.largest;
 }
 
 } // namespace suffuse::io

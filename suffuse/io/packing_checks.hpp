@@ -27,6 +27,8 @@ struct TakenPacking {
     Mat3 velocity_gradient{};          ///< of the cell, which the velocities contain [1/s]
     std::string no_cell;               ///< why there is none, to be said by who needs one
     double overlap = 0;                ///< largest, over the smaller radius [-]
+    double mean_overlap = 0;           ///< of the pairs that overlap, over the smaller radius [-]
+    std::size_t contacts = 0;          ///< pairs that overlap, in the cell
     std::vector<std::string> warnings; ///< each with its place
 };
 

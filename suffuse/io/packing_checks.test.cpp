@@ -54,6 +54,8 @@ TEST(PackingChecks, APackingIsTakenWithItsCellAndItsLargestOverlap) {
     EXPECT_EQ(taken.grains.size(), 2U);
     EXPECT_EQ(taken.h, diagonal({3e-3, 3e-3, 3e-3}));
     EXPECT_NEAR(taken.overlap, 0.1, 1e-12); // rounding
+    EXPECT_EQ(taken.contacts, 1U);
+    EXPECT_EQ(taken.mean_overlap, taken.overlap);
     EXPECT_TRUE(taken.no_cell.empty());
 }
 

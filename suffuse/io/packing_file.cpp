@@ -1,14 +1,9 @@
 #include "suffuse/io/packing_file.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/io/lammps_dump.hpp"
-#include "suffuse/io/lammps_file.hpp"
-#include "suffuse/io/legacy_vtk.hpp"
-#include "suffuse/io/mercury_file.hpp"
+#include "suffuse/io/named_file.hpp"
+#include "suffuse/io/packing_readers.hpp"
 #include "suffuse/io/text_file.hpp"
-#include "suffuse/io/text_packing.hpp"
-#include "suffuse/io/vtp_file.hpp"
-#include "suffuse/io/xyz_file.hpp"
 
 #include <fmt/format.h>
 
@@ -18,27 +13,19 @@
 namespace suffuse::io {
 namespace {
 
-ImportedPacking
-parse_any(const std::string& file, std::string_view text, double density, std::optional<double> radius) {
-    if (looks_like_vtp(text) || looks_like_legacy_vtk(text)) {
-        return parse_vtp(file, text, density, radius);
+ImportedPacking parse_any(const PackingSource& source) {
+    for (const PackingReader& reader : packing_readers()) {
+        if (!reader.recognizes(source.text)) {
+            continue;
+        }
+        if (source.radius && reader.has_own_radii) {
+            throw CaseError(
+                source.file + ": the file contains radii, and one for all was given: leave that out", source.file
+            );
+        }
+        return reader.read(source);
     }
-    if (looks_like_lammps_dump(text)) {
-        return parse_lammps_dump(file, text, density, radius);
-    }
-    if (looks_like_mercury_restart(text)) {
-        return parse_mercury_restart(file, text, density);
-    }
-    if (looks_like_mercury_data(text)) {
-        return parse_mercury_data(file, text, density);
-    }
-    if (looks_like_extended_xyz(text)) {
-        return parse_extended_xyz(file, text, density);
-    }
-    if (looks_like_lammps(text)) { // before tables: its title may hold a comma
-        return parse_lammps(file, text, density, radius);
-    }
-    return parse_table(file, text, density, radius);
+    throw Bug("the last format of packings takes any text");
 }
 
 void scale(ImportedPacking& packing, double unit) {
@@ -59,9 +46,10 @@ void scale(ImportedPacking& packing, double unit) {
 
 ImportedPacking
 read_packing(const std::filesystem::path& path, double density, double unit, std::optional<double> radius) {
-    const std::string file = path.string(), text = read_text(path);
+    const std::string file = path.string(), text = read_text(path, refuse_named_file);
     const auto in_file = radius ? std::optional(*radius / unit) : std::nullopt;
-    ImportedPacking packing = parse_any(file, text, density, in_file);
+    ImportedPacking packing =
+        parse_any({.file = file, .text = text, .density = density, .radius = in_file, .unit = unit});
     if (packing.grains.size() == 0) {
         throw CaseError(fmt::format("{}: no grains found, expected at least one", file), file);
     }

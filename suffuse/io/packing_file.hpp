@@ -1,8 +1,6 @@
 #pragma once
-// Packings brought from other programs, as their files have them: tables with the columns x, y, z, r and optionally vx,
-// vy, vz, wx, wy, wz, CSV (ParaView's too) or Yade's text; LAMMPS data files of atom_style sphere and dumps; extended
-// XYZ; VTK's .vtp, .vtu and .vtk; MercuryDPM's .data and .restart. Plain or gzipped; lengths in m unless specified
-// otherwise, velocities in m/s and rad/s.
+// Packings brought from other programs, as their files have them: packing_readers.hpp lists the formats. Plain or
+// gzipped; lengths in m, velocities in m/s and rad/s, unless the headings or the caller say otherwise.
 
 #include "suffuse/cell/cell.hpp"
 #include "suffuse/grains/grains.hpp"
@@ -23,7 +21,7 @@ struct ImportedPacking {
 
 /// Reads a packing, whichever of the formats it is, for grains of `density` [kg/m3]. Throws IoError where the file
 /// cannot be read, CaseError with file and line where its content makes no sense.
-/// @param unit what a length of 1 in the file stands for [m]
+/// @param unit what a length of 1 stands for where the file names no unit [m]
 /// @param radius of all grains, for a file that has none [m]
 ImportedPacking
 read_packing(const std::filesystem::path& path, double density, double unit = 1, std::optional<double> radius = {});

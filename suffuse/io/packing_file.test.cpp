@@ -163,7 +163,6 @@ TEST(PackingFile, NamesOfColumnsMayBeWrittenAsOtherProgramsDo) {
     EXPECT_NE(both.warnings[0].find("columns \"id\", \"d\" ignored"), std::string::npos) << both.warnings[0];
     EXPECT_EQ(complaint("x,y,z,d\n1,2,3,-1\n"), "p.csv:2: found diameter -1, expected a positive one");
     EXPECT_EQ(complaint("x,y,z,r,radius\n"), "p.csv:1: column r occurs twice");
-    EXPECT_NE(complaint("x [mm],y [mm],z [mm],r [mm]\n").find("unless `unit` is given"), std::string::npos);
 }
 
 TEST(PackingFile, YadeStatesItsColumnsAndItsCellInComments) {

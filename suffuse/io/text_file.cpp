@@ -56,7 +56,8 @@ std::string shown(std::string_view field) {
 
 } // namespace
 
-std::string read_text(const std::filesystem::path& path) {
+std::string
+read_text(const std::filesystem::path& path, void (*look)(const std::filesystem::path&, std::string_view begin)) {
     const int descriptor = open_for_reading(path.string());
     if (descriptor < 0) {
         fail_to_read(path, std::generic_category().message(errno));
@@ -81,6 +82,9 @@ std::string read_text(const std::filesystem::path& path) {
         }
         if (count == 0) {
             return text;
+        }
+        if (text.empty() && look != nullptr) {
+            look(path, std::string_view(block).substr(0, static_cast<std::size_t>(count)));
         }
         text.append(block, 0, static_cast<std::size_t>(count));
         check_length(path, text.size(), gzoffset(file.get()));

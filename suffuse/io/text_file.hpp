@@ -14,7 +14,10 @@
 namespace suffuse::io {
 
 /// The whole of a file, plain or compressed with gzip. Throws IoError where it cannot be read.
-std::string read_text(const std::filesystem::path& path);
+/// @param look sees the beginning of the file before the rest is read, and may throw
+std::string read_text(
+    const std::filesystem::path& path, void (*look)(const std::filesystem::path&, std::string_view begin) = nullptr
+);
 
 /// The lines of a text, one after the other; blank ones and those that start with '#' are passed over.
 class LineReader {

@@ -65,6 +65,38 @@ VectorColumns three_from(std::size_t first) {
     return {first, first + 1, first + 2};
 }
 
+/// Where the radius or the diameter is.
+struct SizeColumn {
+    std::string_view name;
+    double to_radius = 1;
+    std::optional<std::size_t> at = {};
+};
+
+SizeColumn find_size(const Layout& layout) {
+    for (const auto& [name, to_radius] :
+         {std::pair{"radius", 1.0}, {"Radius", 1.0}, {"radii", 1.0}, {"diameter", 0.5}}) {
+        if (const auto at = layout.find(name, 1)) {
+            return {name, to_radius, at};
+        }
+    }
+    return {};
+}
+
+void check_layout(const LineReader& reader, const PackingSource& source, bool has_position, const SizeColumn& size) {
+    if (!has_position) {
+        reader.complain("Properties: expected pos:R:3 among them");
+    }
+    if (!size.at && !source.radius) {
+        reader.complain(
+            "Properties: expected radius:R:1 or diameter:R:1 among them, which OVITO writes when it exports "
+            "Radius; of equal grains give their radius, --radius R"
+        );
+    }
+    if (size.at && source.radius) {
+        reader.complain("the file contains radii, and one for all was given: leave that out");
+    }
+}
+
 void read_cell(const LineReader& reader, const std::string& file, std::string_view head, ImportedPacking& packing) {
     const std::string_view lattice = value_of(head, "Lattice");
     if (lattice.empty()) {
@@ -102,22 +134,20 @@ bool looks_like_extended_xyz(std::string_view text) {
     return second.find("Properties=") != std::string_view::npos;
 }
 
-ImportedPacking parse_extended_xyz(const std::string& file, std::string_view text, double density) {
-    LineReader reader(file, text);
+ImportedPacking parse_extended_xyz(const PackingSource& source) {
+    LineReader reader(source.file, source.text);
     reader.next();
     const std::size_t rows = to_count(reader, reader.line(), "number of particles");
     reader.next();
     const std::string head(reader.line());
     const Layout layout = read_layout(reader, value_of(head, "Properties"));
-    const auto position = layout.find("pos", 3), radius = layout.find("radius", 1);
-    if (!position || !radius) {
-        reader.complain("Properties: expected pos:R:3 and radius:R:1 among them; OVITO writes both when it exports "
-                        "Position and Radius");
-    }
+    const auto position = layout.find("pos", 3);
+    const SizeColumn size = find_size(layout);
+    check_layout(reader, source, position.has_value(), size);
     const auto velocity = layout.find("velo", 3), spin = layout.find("angular_velocity", 3),
                fine = layout.find("fine", 1);
     ImportedPacking packing;
-    read_cell(reader, file, head, packing);
+    read_cell(reader, source.file, head, packing);
     Vec3 origin;
     if (const auto given = split_at_blanks(value_of(head, "Origin")); given.size() == 3) {
         origin = vector_in(reader, given, {0, 1, 2});
@@ -131,14 +161,15 @@ ImportedPacking parse_extended_xyz(const std::string& file, std::string_view tex
             reader.complain(fmt::format("found {} fields, expected {}", f.size(), layout.name.size()));
         }
         const Vec3 x = vector_in(reader, f, three_from(*position));
-        const auto g =
-            grains::add_grain(packing.grains, x - origin, positive_in(reader, f[*radius], "radius"), density);
+        const double r =
+            size.at ? size.to_radius * positive_in(reader, f[*size.at], size.name) : source.radius.value_or(0);
+        const auto g = grains::add_grain(packing.grains, x - origin, r, source.density);
         packing.grains.velocity[g] = velocity ? vector_in(reader, f, three_from(*velocity)) : Vec3{};
         packing.grains.spin[g] = spin ? vector_in(reader, f, three_from(*spin)) : Vec3{};
         packing.grains.fine[g] = fine && to_number(reader, f[*fine], "fine") != 0 ? 1 : 0;
     }
     if (reader.next()) {
-        packing.warnings.push_back(fmt::format("{}:{}: only the first frame is read", file, reader.number()));
+        packing.warnings.push_back(fmt::format("{}:{}: only the first frame is read", source.file, reader.number()));
     }
     return packing;
 }

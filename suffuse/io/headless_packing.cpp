@@ -1,0 +1,142 @@
+#include "suffuse/io/headless_packing.hpp"
+
+#include "suffuse/base/constants.hpp"
+#include "suffuse/base/vec3.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suffuse::io {
+namespace {
+
+constexpr std::size_t mfix_columns = 6;
+
+/// Whether the first of five columns counts the rows from 0 or 1: an id, as many programs write it.
+bool begins_with_ids(std::string_view text, char mark) {
+    constexpr std::size_t looked_at = 1000, needed_rows = 2;
+    LineReader reader("", text);
+    std::size_t rows = 0, first = 0;
+    for (; rows < looked_at && reader.next(); ++rows) {
+        const Names f = split_row(reader.line(), mark);
+        const auto id = f.empty() ? std::nullopt : number_of<std::size_t>(f.front());
+        first = rows == 0 ? id.value_or(2) : first;
+        if (f.size() != 5 || !id || first > 1 || *id != first + rows) {
+            return false;
+        }
+    }
+    return rows >= needed_rows;
+}
+
+/// Grains of one reading in the smallest box around them: more than fills it cannot be meant.
+class Filling {
+public:
+    void add(const Vec3& x, double r) {
+        for (int k = 0; k < 3; ++k) {
+            low_[k] = std::min(low_[k], x[k] - r);
+            high_[k] = std::max(high_[k], x[k] + r);
+        }
+        solid_ += sphere_volume(r);
+    }
+
+    [[nodiscard]] bool is_possible() const {
+        const Vec3 edges = high_ - low_;
+        return solid_ <= edges.x * edges.y * edges.z;
+    }
+
+private:
+    static constexpr double far = std::numeric_limits<double>::infinity();
+    Vec3 low_{far, far, far}, high_{-far, -far, -far};
+    double solid_ = 0;
+};
+
+enum class SixColumns { Radius, Mfix, Either };
+
+/// Of six columns without names: MFIX's phase is a whole number from 1, its diameter and density are positive.
+SixColumns judge_six_columns(std::string_view text, char mark) {
+    Filling radius, mfix;
+    LineReader reader("", text);
+    while (reader.next()) {
+        const Names f = split_row(reader.line(), mark);
+        Vec3 x;
+        std::array<double, mfix_columns> v{};
+        for (std::size_t k = 0; k < mfix_columns; ++k) {
+            const auto value = f.size() == mfix_columns ? number_of<double>(f[k]) : std::nullopt;
+            if (!value || !std::isfinite(*value)) {
+                return SixColumns::Radius; // and complains of what it finds
+            }
+            v[k] = *value;
+        }
+        if (!(v[3] >= 1) || v[3] != std::floor(v[3]) || !(v[4] > 0) || !(v[5] > 0)) {
+            return SixColumns::Radius;
+        }
+        x = {v[0], v[1], v[2]};
+        radius.add(x, v[3]);
+        mfix.add(x, v[4] / 2);
+    }
+    return !mfix.is_possible() ? SixColumns::Radius : radius.is_possible() ? SixColumns::Either : SixColumns::Mfix;
+}
+
+/// pandas names columns without names 0, 1, 2, ...
+bool may_count_columns(const Names& first) {
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        if (number_of<std::size_t>(first[k]) != k) {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+Names split_row(std::string_view line, char mark) {
+    return mark == ' ' ? split_at_blanks(line) : split_at(line, mark);
+}
+
+bool is_row_of_numbers(const Names& fields) {
+    const std::size_t begin = std::min<std::size_t>(fields.size(), 3);
+    return begin > 0 &&
+           std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(begin), [](std::string_view field) {
+               return number_of<double>(field).has_value();
+           });
+}
+
+HeadlessColumns name_columns(const LineReader& reader, const PackingSource& source, const Names& first, char mark) {
+    const bool has_radius = source.radius.has_value();
+    if (first.size() < (has_radius ? 3 : needed_columns)) {
+        reader.complain(fmt::format(
+            "found {} field{}, expected x y z r (or a CSV header x,y,z,r, a LAMMPS, XYZ or VTK file){}", first.size(),
+            first.size() == 1 ? "" : "s", first.size() == 3 ? "; for equal grains give their radius: --radius R" : ""
+        ));
+    }
+    if (may_count_columns(first)) {
+        reader.complain(
+            "found 0, 1, 2, ...: this may be a grain, or a heading that counts the columns; write a heading "
+            "x,y,z,r above it or in its place"
+        );
+    }
+    Names names{"x", "y", "z"};
+    const SixColumns six =
+        first.size() == mfix_columns && !has_radius ? judge_six_columns(source.text, mark) : SixColumns::Radius;
+    if (six == SixColumns::Either) {
+        reader.complain("column 4 may be the radius, or the phase of MFIX's x y z phase diameter density; name the "
+                        "columns in a line above: x y z r a b, or x y z phase diameter density");
+    }
+    if (six == SixColumns::Mfix) {
+        return {
+            {"x", "y", "z", "phase", "diameter", "density"},
+            "the columns have no headings, and are read as x y z phase diameter density of MFIX"};
+    }
+    if (begins_with_ids(source.text, mark)) {
+        names = {"id", "x", "y", "z"};
+    }
+    if (!has_radius) {
+        names.emplace_back("r");
+    }
+    names.resize(std::max(names.size(), first.size()), unnamed_column);
+    return {names};
+}
+
+} // namespace suffuse::io
