@@ -12,6 +12,20 @@
 #include <vector>
 
 namespace suffuse::apps {
+namespace {
+
+/// Between commas, in meters or with units.
+std::vector<double> lengths_of(const std::string& text, const std::string& flag) {
+    std::vector<double> values;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        values.push_back(quantity_of(text.substr(begin, end - begin), dimension::length, flag, true));
+        begin = end + 1;
+    }
+    return values;
+}
+
+} // namespace
 
 double quantity_of(const std::string& text, Dimension dimension, const std::string& flag, bool bare_is_si) {
     double value = 0;
@@ -45,12 +59,7 @@ std::optional<stability::FlowWay> flow_way_of(const std::string& text, const std
 }
 
 Mat3 cell_of(const std::string& text) {
-    std::vector<double> values;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        values.push_back(quantity_of(text.substr(begin, end - begin), dimension::length, "--cell", true));
-        begin = end + 1;
-    }
+    const std::vector<double> values = lengths_of(text, "--cell");
     Mat3 h{};
     if (values.size() == 3) {
         h = diagonal({values[0], values[1], values[2]});
@@ -69,6 +78,16 @@ Mat3 cell_of(const std::string& text) {
         throw UsageError(fmt::format("--cell {} has no volume; its edges are positive lengths", shown(text)));
     }
     return h;
+}
+
+io::Box box_of(const std::string& text) {
+    const std::vector<double> v = lengths_of(text, "--box");
+    if (v.size() != 6) {
+        throw UsageError(fmt::format(
+            "--box {} has {} numbers; expected 6: the lower corner, then the upper corner", shown(text), v.size()
+        ));
+    }
+    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 } // namespace suffuse::apps

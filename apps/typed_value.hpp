@@ -3,6 +3,7 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/base/vec3.hpp"
+#include "suffuse/io/cut_box.hpp"
 #include "suffuse/stability/flow_way.hpp"
 
 #include <optional>
@@ -18,5 +19,8 @@ std::optional<stability::FlowWay> flow_way_of(const std::string& text, const std
 
 /// Edges "LX,LY,LZ" or nine numbers by rows, in meters or with units -> cell matrix [m]. @throws UsageError.
 Mat3 cell_of(const std::string& text);
+
+/// Corners "X1,Y1,Z1,X2,Y2,Z2", in meters or with units. @throws UsageError.
+io::Box box_of(const std::string& text);
 
 } // namespace suffuse::apps

@@ -35,6 +35,7 @@ struct ImportVerb final : Verb {
 
     std::string file;
     CellOption cell;
+    std::string box;    ///< corners of what is cut out of a bed
     std::string radius; ///< of all grains, where the file has none
     std::string unit;   ///< what a length of 1 in the file stands for
     PackingOutput output;
@@ -42,6 +43,14 @@ struct ImportVerb final : Verb {
     void add_to(Options& options) override {
         options.argument("FILE", file, packing_text).required();
         cell.add_to(options);
+        options
+            .value(
+                "--box", box,
+                "lower and upper corner of a box to cut out of a bed, in meters: the grains with their centers in it, "
+                "as a "
+                "periodic cell"
+            )
+            .type("X1,Y1,Z1,X2,Y2,Z2");
         options.value("--unit", unit, "of lengths without a unit in the file, as in mm; m unless given").type("UNIT");
         options.value("--radius", radius, "of all grains, where the file has none: in m or in --unit, or as in 0.5mm")
             .type("R");
@@ -55,6 +64,10 @@ nlohmann::json describe(const io::TakenPacking& taken, const std::string& file) 
     const auto [least, most] = std::minmax_element(taken.grains.radius.begin(), taken.grains.radius.end());
     nlohmann::json json = {
         {"file", file}, {"grains", taken.grains.size()}, {"radius", {*least, *most}}, {"warnings", taken.warnings}};
+    if (taken.left_out) {
+        json["outside_box"] = taken.left_out->outside;
+        json["across_faces"] = taken.left_out->across;
+    }
     if (taken.h) {
         const Mat3& h = *taken.h; // rows of the matrix whose columns are the cell vectors
         json["cell"] = {{h(0, 0), h(0, 1), h(0, 2)}, {h(1, 0), h(1, 1), h(1, 2)}, {h(2, 0), h(2, 1), h(2, 2)}};
@@ -86,6 +99,12 @@ std::string sentence(const nlohmann::json& about) {
             digits_text(about["void_ratio"], 4), digits_text(about["coordination_number"], 3),
             digits_text(100 * about["largest_overlap"].get<double>(), 2),
             digits_text(100 * about["mean_overlap"].get<double>(), 2)
+        );
+    }
+    if (about.contains("outside_box")) {
+        text += fmt::format(
+            "; left out: {} outside of the box, {} that overlap across its faces", count_text(about["outside_box"]),
+            count_text(about["across_faces"])
         );
     }
     return text;
@@ -128,6 +147,12 @@ int ImportVerb::act(const CommandLine&, const Console& console) const {
     }
     request.radius = radius_of(radius, request.unit);
     request.cell = cell.matrix();
+    if (!box.empty()) {
+        request.box = box_of(box);
+    }
+    if (request.box && request.cell) {
+        throw UsageError("--box and --cell: the box is the cell; give one of them");
+    }
     const io::TakenPacking taken = io::take_packing(request);
     nlohmann::json about = describe(taken, file);
     for (const std::string& warning : taken.warnings) {

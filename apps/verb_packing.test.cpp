@@ -65,6 +65,25 @@ TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
     expect_in("--unit kPa: ", other.error);
 }
 
+TEST_F(Cli, ImportCutsABoxOutOfABedBetweenWalls) {
+    write_to(folder / "bed.csv", "x,y,z,r\n0,0,0,1e-4\n1e-3,1e-3,1e-3,1e-4\n2e-3,1e-3,1e-3,1e-4\n");
+    const ProgramResult cut =
+        run_suffuse({"import", "bed.csv", "--box", "0.5mm,0.5mm,0.5mm,2.5mm,2.5mm,2.5mm", "-o", "cell.xyz", "--json"});
+    ASSERT_EQ(cut.code, 0) << cut.error;
+    EXPECT_EQ(cut.json().at("grains"), 2);
+    EXPECT_EQ(cut.json().at("outside_box"), 1);
+    EXPECT_EQ(cut.json().at("across_faces"), 0);
+    const ProgramResult cell = run_suffuse({"import", "cell.xyz", "--json"});
+    EXPECT_NEAR(cell.json().at("cell").at(0).at(0).get<double>(), 2e-3, 1e-15); // rounding
+    expect_in(
+        "left out: 1 outside of the box, 0 that overlap",
+        run_suffuse({"import", "bed.csv", "--box", "0.1mm,0,0,1,1,1"}).out
+    );
+    EXPECT_EQ(run_suffuse({"import", "bed.csv", "--box", "0,0,0,1,1"}).code, 2);
+    EXPECT_EQ(run_suffuse({"import", "bed.csv", "--box", "0,0,0,1,1,1", "--cell", "1,1,1"}).code, 2);
+    EXPECT_EQ(run_suffuse({"import", "bed.csv", "--box", "1,1,1,0,0,0"}).code, 3);
+}
+
 TEST_F(Cli, ImportReportsARadiusThatIsTooSmallForANormalNumber) {
     write_to(folder / "tiny.csv", "x,y,z,r\n0,0,0,1e-310\n0,0,3e-4,1e-4\n");
     const ProgramResult looked = run_suffuse({"import", "tiny.csv"});

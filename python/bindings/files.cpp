@@ -15,9 +15,19 @@
 namespace suffuse::python {
 namespace {
 
+/// Two corners.
+io::Box box_of(const py::object& value) {
+    const auto corners = py::isinstance<py::sequence>(value) ? value.cast<py::sequence>() : py::sequence(py::tuple());
+    if (py::isinstance<py::str>(value) || corners.size() != 2) {
+        throw CaseError("box: expected two corners, the lower and the upper, such as ((0, 0, 0), (4e-3, 4e-3, 4e-3))");
+    }
+    const py::object low = corners[0], high = corners[1];
+    return {vector_of(low, dimension::length, "box"), vector_of(high, dimension::length, "box")};
+}
+
 py::tuple read_packing(
     const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit,
-    double max_overlap, const py::object& radius, const py::object& velocity_gradient
+    double max_overlap, const py::object& radius, const py::object& velocity_gradient, const py::object& box
 ) {
     io::PackingRequest request{.file = path, .density = material.density, .max_overlap = max_overlap};
     request.unit = unit_of(unit, dimension::length, "unit");
@@ -27,6 +37,9 @@ py::tuple read_packing(
     }
     if (!cell.is_none()) {
         request.cell = cell_of(cell);
+    }
+    if (!box.is_none()) {
+        request.box = box_of(box);
     }
     io::TakenPacking taken;
     {
@@ -67,7 +80,7 @@ void bind_files(py::module_& m) {
     );
     m.def(
         "read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"),
-        py::arg("max_overlap"), py::arg("radius"), py::arg("velocity_gradient")
+        py::arg("max_overlap"), py::arg("radius"), py::arg("velocity_gradient"), py::arg("box")
     );
     m.def(
         "largest_overlap",

@@ -7,7 +7,7 @@ from suffuse.spelling import spelled
 
 
 @spelled
-def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None):
+def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None, box=None):
     """A World of the grains in a file, whichever of the formats it is: tables (CSV, Yade, PFC, EDEM, MFIX, ParaView),
     LAMMPS data and dump, XYZ, VTK, MercuryDPM, Kratos; plain or gzipped. docs/packings.md lists what is understood.
 
@@ -19,11 +19,13 @@ def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, ra
     radius: of all grains, for a file that has none [m]
     velocity_gradient: dv/dx of the cell, extension positive [1/s], which the velocities of the file contain; the one that
         fits them best unless given, and none where no mean motion shows
+    box: two corners of a box to cut out of a bed between walls, in the file's coordinates [m]: the grains with their centers in
+        it, as a periodic cell. Of two that overlap across a face by more than max_overlap, the smaller one is left out.
     What the file says beyond that is warned of, and so are a cell narrower than ten of the largest grains, one that they
     barely fill, and one taken in place of the file's own. An imported packing carries no contact memory: settle it first.
     """
     world, remarks = _core.read_packing(
-        path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient
+        path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient, box
     )
     for remark in remarks:
         warnings.warn(remark, stacklevel=3)  # beyond what looks at the spelling

@@ -167,3 +167,16 @@ def test_equal_grains_take_one_radius(tmp_path):
         warnings.simplefilter("ignore")
         world = suffuse.read_packing(tmp_path / "p.txt", cell=(2, 2, 2), radius=0.5)
     assert numpy.all(numpy.asarray(world.grains.radius) == 0.5)
+
+
+def test_a_box_is_cut_out_of_a_bed(tmp_path):
+    rows = ["0,0,0,1e-4", "1e-3,1e-3,1e-3,1e-4", "2e-3,1e-3,1e-3,1e-4"]
+    (tmp_path / "bed.csv").write_text("x,y,z,r\n" + "\n".join(rows) + "\n")
+    with pytest.warns(UserWarning, match="left out: 1 grain with the center outside"):
+        world = suffuse.read_packing(tmp_path / "bed.csv", box=((0.5e-3,) * 3, ("2.5 mm",) * 3))
+    assert len(world) == 2
+    assert numpy.allclose(numpy.diag(world.cell), 2e-3)
+    with pytest.raises(suffuse.CaseError, match="two corners"):
+        suffuse.read_packing(tmp_path / "bed.csv", box=(1, 2, 3))
+    with pytest.raises(suffuse.CaseError, match="leave the cell out"):
+        suffuse.read_packing(tmp_path / "bed.csv", cell=(1, 1, 1), box=((0, 0, 0), (1, 1, 1)))

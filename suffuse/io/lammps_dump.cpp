@@ -158,6 +158,7 @@ private:
         const auto velocity = columns.find("vx", "vy", "vz"), spin = columns.find("omegax", "omegay", "omegaz");
         ImportedPacking packing;
         packing.no_cell = no_cell_;
+        packing.origin = box_.origin;
         if (no_cell_.empty()) {
             packing.cell = cell::Cell{box_.h, {}};
         }

@@ -235,6 +235,7 @@ private:
                 "{}: the density of {} atoms is not used; grains are of {} kg/m3", file_, other_density_, density_
             ));
         }
+        result_.origin = origin_;
         if (determinant(h_) > 0) {
             result_.cell = cell::Cell{h_, {}};
         }

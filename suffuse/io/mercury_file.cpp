@@ -105,6 +105,7 @@ ImportedPacking parse_mercury_data(const std::string& file, std::string_view tex
         const Vec3 low = corner(2), high = corner(5);
         packing = {};
         packing.cell = box_between(reader, low, high);
+        packing.origin = low;
         for (std::size_t row = 0; row < count; ++row) {
             if (!reader.next()) {
                 reader.complain(fmt::format("the file ends, expected {} particles, found {}", count, row));
@@ -177,6 +178,7 @@ ImportedPacking parse_mercury_restart(const std::string& file, std::string_view 
         const Vec3 low{side(0).first, side(1).first, side(2).first},
             high{side(0).second, side(1).second, side(2).second};
         packing.cell = box_between(reader, low, high);
+        packing.origin = low;
         for (Vec3& x : packing.grains.position) {
             x = x - low;
         }

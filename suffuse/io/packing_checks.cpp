@@ -1,10 +1,10 @@
 #include "suffuse/io/packing_checks.hpp"
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
-#include "suffuse/base/grouped.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/mean_motion.hpp"
-#include "suffuse/neighbors/pairs.hpp"
+#include "suffuse/io/overlaps.hpp"
 
 #include <fmt/format.h>
 
@@ -15,115 +15,33 @@ namespace suffuse::io {
 namespace {
 
 constexpr double widest_void_ratio = 20; // of a cloud that is still to be compacted [-]
-constexpr double densest = 2;            // volume of grains over that of their cell, beyond which no overlap is meant
-
-constexpr int most_images = 100; // of a grain along one direction, in a cell that is sheared
 
 constexpr double most_overlap = 2; // two like grains in one place [-]
-
-struct Overlaps {
-    neighbors::Pair worst;
-    double largest = 0, mean = 0; ///< over the smaller radius [-]
-    std::size_t contacts = 0;     ///< pairs that overlap
-};
 
 [[noreturn]] void refuse(const std::string& origin, const std::string& message) {
     throw CaseError(origin + ": " + message, origin);
 }
 
-/// Grains that reach beyond their images, or have no room at all, are a mistake of units; looked for as pairs, each
-/// would touch thousands of them.
-void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    const double narrowest = std::min({norm(h.column(0)), norm(h.column(1)), norm(h.column(2))});
-    const double largest = 2 * *std::max_element(grains.radius.begin(), grains.radius.end());
-    if (!(largest <= 2 * narrowest)) { // not so either where they overflow
-        refuse(
-            origin, fmt::format(
-                        "the largest grain has a diameter of {:.6g} m in a cell {:.6g} m wide; lengths in the file are "
-                        "in m: check its unit, and that of the cell",
-                        largest, narrowest
-                    )
-        );
-    }
-    const Vec3 width = cell::widths(h);
-    const double thinnest = std::min({width.x, width.y, width.z});
-    if (!(largest <= most_images * thinnest)) {
-        refuse(
-            origin,
-            fmt::format(
-                "the cell is sheared until two of its faces are {:.3g} m apart, and grains of {:.3g} m would meet "
-                "their images more than {} times over; check its tilt",
-                thinnest, largest, most_images
-            )
-        );
-    }
-    if (const double share = grains::solid_volume(grains) / std::abs(determinant(h)); !(share <= densest)) {
-        refuse(
-            origin, fmt::format(
-                        "the grains have {:.3g} times the volume of the cell; check its edges, the unit of lengths, "
-                        "and that radii are not diameters",
-                        share
-                    )
-        );
-    }
+/// The first of the largest; none overlaps where there are none.
+Overlap worst_of(const std::vector<Overlap>& overlaps) {
+    const auto worst = std::ranges::max_element(overlaps, {}, &Overlap::share);
+    return worst == overlaps.end() ? Overlap{} : *worst;
 }
 
-/// A position that no image of the cell can name is a mistake of the file; later it would pass for a motion blown up.
-void check_positions(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    const Mat3 inverse_h = inverse(h);
-    for (std::size_t g = 0; g < grains.size(); ++g) {
-        const Vec3& x = grains.position[g];
-        if (!std::isfinite(norm2(x)) || !cell::has_period(inverse_h, x)) {
-            refuse(
-                origin, fmt::format(
-                            "grain {}: found the position ({:.6g}, {:.6g}, {:.6g}) m, more than {} cells away from "
-                            "the first; check the row and that lengths are in m",
-                            grains.id[g], x.x, x.y, x.z, grouped(cell::largest_period)
-                        )
-            );
-        }
-    }
-}
-
-std::string names_of(const grains::Grains& grains, const neighbors::Pair& pair) {
-    return pair.first == pair.second ? fmt::format("grain {} and its own image", grains.id[pair.first])
-                                     : fmt::format("grains {} and {}", grains.id[pair.first], grains.id[pair.second]);
-}
-
-/// Two grains in one place have no normal, however much overlap is allowed.
-Overlaps find_overlaps(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    check_sizes(grains, h, origin);
-    check_positions(grains, h, origin);
-    constexpr double same_place = 1e-9; // of the smaller radius
-    Overlaps found;
+double mean_of(const std::vector<Overlap>& overlaps) {
     double sum = 0;
-    for (const neighbors::Pair& p : neighbors::find_pairs(h, grains.position, grains.radius, 0.0)) {
-        const double ri = grains.radius[p.first], rj = grains.radius[p.second], smaller = std::min(ri, rj);
-        const double distance = norm(grains.position[p.second] + cell::shift(h, p.image) - grains.position[p.first]);
-        if (distance < same_place * smaller) {
-            refuse(origin, names_of(grains, p) + " are at the same place; check that each grain has one row");
-        }
-        const double overlap = (ri + rj - distance) / smaller;
-        if (!(overlap > 0)) {
-            continue;
-        }
-        ++found.contacts;
-        sum += overlap;
-        if (overlap > found.largest) {
-            found.worst = p;
-            found.largest = overlap;
-        }
+    for (const Overlap& overlap : overlaps) {
+        sum += overlap.share;
     }
-    found.mean = found.contacts > 0 ? sum / static_cast<double>(found.contacts) : 0;
-    return found;
+    return overlaps.empty() ? 0 : sum / static_cast<double>(overlaps.size());
 }
 
-std::string complaint_about(const Overlaps& found, const grains::Grains& grains, double share) {
+std::string complaint_about(const Overlap& worst, const grains::Grains& grains, double share) {
     return fmt::format(
         "{} overlap by {:.3g} of the smaller radius ({:.6g} mm), allowed {:.3g}; check that the cell is the packing's "
         "own, that radii are not diameters and that lengths are in m, or allow a larger overlap",
-        names_of(grains, found.worst), found.largest,
-        std::min(grains.radius[found.worst.first], grains.radius[found.worst.second]) * 1e3, share
+        names_of(grains, worst.pair), worst.share,
+        std::min(grains.radius[worst.pair.first], grains.radius[worst.pair.second]) * 1e3, share
     );
 }
 
@@ -201,6 +119,29 @@ std::string gradient_warning(const Mat3& g) {
     );
 }
 
+/// The box is the cell from then on, whatever the file says of its own.
+CutGrains cut_out(ImportedPacking& read, const PackingRequest& request) {
+    if (request.cell) {
+        throw CaseError("a box and a cell were given: the box that is cut out is the cell, so leave the cell out");
+    }
+    for (Vec3& x : read.grains.position) {
+        x = x + read.origin;
+    }
+    const CutGrains left_out = cut_box(read.grains, *request.box, request.max_overlap, request.file.string());
+    read.cell = cell::Cell{diagonal(request.box->high - request.box->low), {}};
+    read.no_cell.clear();
+    return left_out;
+}
+
+std::string cut_warning(const CutGrains& left_out) {
+    return fmt::format(
+        "left out: {} with the center outside of the box, {} that overlap across its faces; relax the packing, whose "
+        "faces are cut",
+        plural(static_cast<std::int64_t>(left_out.outside), "grain"),
+        count_text(static_cast<std::int64_t>(left_out.across))
+    );
+}
+
 } // namespace
 
 TakenPacking take_packing(const PackingRequest& request) {
@@ -219,6 +160,10 @@ TakenPacking take_packing(const PackingRequest& request) {
             taken.warnings.push_back(where + ": " + *warning);
         }
     };
+    if (request.box) {
+        taken.left_out = cut_out(read, request);
+        taken.warnings.push_back(where + ": " + cut_warning(*taken.left_out));
+    }
     say(size_warning(read.grains));
     if (request.velocity_gradient) {
         taken.velocity_gradient = *request.velocity_gradient;
@@ -234,12 +179,14 @@ TakenPacking take_packing(const PackingRequest& request) {
         say(other_cell_warning(read, h));
         say(narrow_cell_warning(read.grains, h));
         say(empty_cell_warning(read.grains, h));
-        const Overlaps found = find_overlaps(read.grains, h, file);
-        taken.overlap = found.largest;
-        taken.mean_overlap = found.mean;
-        taken.contacts = found.contacts;
-        if (found.largest > request.max_overlap) {
-            const std::string complaint = complaint_about(found, read.grains, request.max_overlap);
+        const std::vector<Overlap> found = find_overlaps(read.grains, h, file);
+        check_apart(read.grains, found, file);
+        const Overlap worst = worst_of(found);
+        taken.overlap = worst.share;
+        taken.mean_overlap = mean_of(found);
+        taken.contacts = found.size();
+        if (worst.share > request.max_overlap) {
+            const std::string complaint = complaint_about(worst, read.grains, request.max_overlap);
             if (!request.only_looks) {
                 refuse(file, complaint);
             }
@@ -253,11 +200,13 @@ TakenPacking take_packing(const PackingRequest& request) {
 }
 
 double check_overlaps(const grains::Grains& grains, const cell::Cell& cell, double share, const std::string& origin) {
-    const Overlaps found = find_overlaps(grains, cell.h, origin);
-    if (found.largest > share) {
-        refuse(origin, complaint_about(found, grains, share));
+    const std::vector<Overlap> found = find_overlaps(grains, cell.h, origin);
+    check_apart(grains, found, origin);
+    const Overlap worst = worst_of(found);
+    if (worst.share > share) {
+        refuse(origin, complaint_about(worst, grains, share));
     }
-    return found.largest;
+    return worst.share;
 }
 
 } // namespace suffuse::io

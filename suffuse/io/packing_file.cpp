@@ -40,6 +40,7 @@ void scale(ImportedPacking& packing, double unit) {
     if (packing.cell) {
         packing.cell->h = unit * packing.cell->h;
     }
+    packing.origin = unit * packing.origin;
 }
 
 } // namespace

@@ -15,6 +15,7 @@ namespace suffuse::io {
 struct ImportedPacking {
     grains::Grains grains;             ///< in the order of the file; `id` counts from 0
     std::optional<cell::Cell> cell;    ///< where the file gives one; positions are then relative to its corner
+    Vec3 origin;                       ///< of the file, where positions are relative to the corner of its box [m]
     std::string no_cell;               ///< why not, where there is a box that is not periodic
     std::vector<std::string> warnings; ///< what was read but not used
 };

@@ -151,6 +151,7 @@ ImportedPacking parse_extended_xyz(const PackingSource& source) {
     Vec3 origin;
     if (const auto given = split_at_blanks(value_of(head, "Origin")); given.size() == 3) {
         origin = vector_in(reader, given, {0, 1, 2});
+        packing.origin = origin;
     }
     for (std::size_t row = 0; row < rows; ++row) {
         if (!reader.next()) {
