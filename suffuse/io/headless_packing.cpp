@@ -97,10 +97,12 @@ Names split_row(std::string_view line, char mark) {
 
 bool is_row_of_numbers(const Names& fields) {
     const std::size_t begin = std::min<std::size_t>(fields.size(), 3);
-    return begin > 0 &&
-           std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(begin), [](std::string_view field) {
-               return number_of<double>(field).has_value();
-           });
+    const auto is_number = [](std::string_view field) {
+        std::string plain(field); // a decimal comma is complained of as a number
+        std::ranges::replace(plain, ',', '.');
+        return number_of<double>(plain).has_value();
+    };
+    return begin > 0 && std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(begin), is_number);
 }
 
 HeadlessColumns name_columns(const LineReader& reader, const PackingSource& source, const Names& first, char mark) {

@@ -159,6 +159,7 @@ TEST(PackingReaders, ATableWithoutHeadingsMayHaveCommas) {
     EXPECT_EQ(take_text("1;2;3;0.5;9\n").grains.radius[0], 0.5);
     EXPECT_EQ(take_text("# r, x, y, z\n0.5, 1, 2, 3\n").grains.position[0], (Vec3{1, 2, 3})); // numpy.savetxt
     EXPECT_EQ(take_text("# r,x,y,z\n0.5,1,2,3\n").grains.radius[0], 0.5);
+    expect_words("p.any:1: column x: found \"0,5\", expected a finite number with a", refusal("0,5;1,5;2;0,1\n"));
     expect_words("or a heading that counts the columns", refusal("0,1,2,3\n1,2,3,0.5\n")); // pandas
 }
 
