@@ -1,4 +1,4 @@
-// import: a packing from another program, looked at and written in another format.
+// import: a packing from another program, looked at and written in another format; the record of a laboratory test.
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
@@ -14,6 +14,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/test_import.hpp"
 #include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
@@ -29,11 +30,11 @@ namespace {
 struct ImportVerb final : Verb {
     ImportVerb()
         : Verb(
-              "import", "check a packing of another program, or convert it to another format",
+              "import", "check a packing of another program or a laboratory test, or convert a packing",
               "suffuse import pack.txt --cell 0.004,0.004,0.004 -o packing.xyz"
           ) {}
 
-    std::string file;
+    std::string file, kind, contraction;
     CellOption cell;
     std::string box;    ///< corners of what is cut out of a bed
     std::string radius; ///< of all grains, where the file has none
@@ -42,6 +43,15 @@ struct ImportVerb final : Verb {
 
     void add_to(Options& options) override {
         options.argument("FILE", file, packing_text).required();
+        options
+            .value("--kind", kind, "of the file: packing (unless given), or a test: triaxial, oedometer, permeameter")
+            .type("KIND")
+            .suggest(kinds_of_files);
+        options
+            .value(
+                "--contraction", contraction, "sign of volumetric strains that contract, where a test does not show it"
+            )
+            .type("positive|negative");
         cell.add_to(options);
         options
             .value(
@@ -141,6 +151,15 @@ dem::World world_of(const io::TakenPacking& taken) {
 }
 
 int ImportVerb::act(const CommandLine&, const Console& console) const {
+    if (!kind.empty() && kind != packing_kind) {
+        if (!(cell.edges.empty() && box.empty() && radius.empty() && unit.empty() && output.file.empty())) {
+            throw UsageError("--kind " + shown(kind) + " only looks at a test; leave out the options of packings");
+        }
+        return import_test(file, kind, contraction, console);
+    }
+    if (!contraction.empty()) {
+        throw UsageError("--contraction is of tests; give --kind triaxial, or leave it out");
+    }
     io::PackingRequest request{.file = file, .only_looks = true};
     if (!unit.empty()) {
         request.unit = unit_of(unit);

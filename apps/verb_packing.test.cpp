@@ -84,6 +84,23 @@ TEST_F(Cli, ImportCutsABoxOutOfABedBetweenWalls) {
     EXPECT_EQ(run_suffuse({"import", "bed.csv", "--box", "1,1,1,0,0,0"}).code, 3);
 }
 
+TEST_F(Cli, ImportPrintsWhatItUnderstandsOfALaboratoryTest) {
+    const std::string head = "eps1 [%],epsv [%],q [kPa]\n";
+    write_to(folder / "t.csv", head + "0,0,0\n1,0.1,50\n2,-0.1,80\n");
+    EXPECT_EQ(run_suffuse({"import", "t.csv", "--kind", "triaxial"}).code, 3); // which sign?
+    const ProgramResult read = run_suffuse({"import", "t.csv", "--kind", "triaxial", "--contraction", "positive"});
+    ASSERT_EQ(read.code, 0) << read.error;
+    expect_in("t.csv: triaxial, 1 test, t, 3 rows", read.out);
+    expect_in("  q [kPa]   deviator stress    0 to 80 kPa", read.out);
+    const auto json =
+        run_suffuse({"import", "t.csv", "--kind", "triaxial", "--contraction", "negative", "--json"}).json();
+    EXPECT_EQ(json.at("columns").at(1).at("role"), "volumetric_strain");
+    EXPECT_DOUBLE_EQ(json.at("columns").at(1).at("range").at(0).get<double>(), -0.001);
+    EXPECT_EQ(run_suffuse({"import", "t.csv", "--kind", "triaxal"}).code, 2);
+    EXPECT_EQ(run_suffuse({"import", "t.csv", "--kind", "triaxial", "--unit", "mm"}).code, 2);
+    EXPECT_EQ(run_suffuse({"import", "t.csv", "--contraction", "positive"}).code, 2);
+}
+
 TEST_F(Cli, ImportReportsARadiusThatIsTooSmallForANormalNumber) {
     write_to(folder / "tiny.csv", "x,y,z,r\n0,0,0,1e-310\n0,0,3e-4,1e-4\n");
     const ProgramResult looked = run_suffuse({"import", "tiny.csv"});

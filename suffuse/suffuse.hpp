@@ -20,6 +20,7 @@
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/packing_file.hpp"
 #include "suffuse/job/run_case.hpp"
+#include "suffuse/laboratory/read_test.hpp"
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/pores/constrictions.hpp"

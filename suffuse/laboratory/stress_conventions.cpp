@@ -1,0 +1,147 @@
+#include "suffuse/laboratory/stress_conventions.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace suffuse::laboratory {
+namespace {
+
+constexpr double stress_match = 0.02; // relative, of stresses that are rounded
+
+void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const TestColumn& q, TestColumn& radial) {
+    const TestColumn* u = review.record.find(Quantity::PorePressure);
+    const double size = std::sqrt(review.sum([&](std::size_t k, std::size_t) { return std::pow(p.values[k], 2); }));
+    const auto is_close = [&](double share_of_q, double share_of_u) {
+        const double off = std::sqrt(review.sum([&](std::size_t k, std::size_t) {
+            const double pore = u != nullptr ? u->values[k] : 0;
+            return std::pow(p.values[k] - radial.values[k] - share_of_q * q.values[k] - share_of_u * pore, 2);
+        }));
+        return off <= stress_match * size;
+    };
+    if (is_close(1.0 / 3, 0)) {
+        review.decided(fmt::format(
+            "\"{0}\" is \"{1}\" + \"{2}\"/3: \"{2}\" is axial minus radial stress, and \"{0}\" is effective where "
+            "\"{1}\" "
+            "is",
+            p.heading, radial.heading, q.heading
+        ));
+        if (!p.is_effective) {
+            p.is_effective = radial.is_effective;
+        } else if (!radial.is_effective) {
+            radial.is_effective = p.is_effective;
+        }
+        return;
+    }
+    if (u != nullptr && (is_close(1.0 / 3, 1) || is_close(1.0 / 3, -1))) {
+        const bool p_is_total = is_close(1.0 / 3, 1);
+        review.decided(fmt::format(
+            "\"{}\" is {} and \"{}\" is {}: they differ by the pore pressure", p.heading,
+            p_is_total ? "total" : "effective", radial.heading, p_is_total ? "effective" : "total"
+        ));
+        p.is_effective = !p_is_total;
+        radial.is_effective = p_is_total;
+        return;
+    }
+    review.refuse(fmt::format(
+        "columns \"{}\", \"{}\" and \"{}\" contradict one another{}; expected p = radial stress + q/3 with q = "
+        "axial "
+        "minus radial stress",
+        p.heading, q.heading, radial.heading,
+        is_close(1, 0) ? ": they are s and t of the Massachusetts Institute of Technology, half the sum and half the "
+                         "difference of axial and radial stress; q = 2 t and p = s - t/3"
+                       : ""
+    ));
+}
+
+/// In a drained test at a constant cell pressure q rises by 3 as p rises by 1.
+void settle_by_slope(const RecordReview& review, const TestColumn& p, const TestColumn& q) {
+    double pp = 0, pq = 0;
+    for (const NamedTest& test : review.record.tests) {
+        double mean_p = 0, mean_q = 0;
+        const auto rows = static_cast<double>(test.end - test.begin);
+        for (std::size_t k = test.begin; k < test.end; ++k) {
+            mean_p += p.values[k] / rows;
+            mean_q += q.values[k] / rows;
+        }
+        for (std::size_t k = test.begin; k < test.end; ++k) {
+            pp += std::pow(p.values[k] - mean_p, 2);
+            pq += (p.values[k] - mean_p) * (q.values[k] - mean_q);
+        }
+    }
+    constexpr double tolerance = 0.1;
+    const double slope = pp > 0 ? pq / pp : 0;
+    const bool is_drained = review.record.find(Quantity::VolumetricStrain) != nullptr;
+    if (is_drained && std::abs(slope - 3) <= 3 * tolerance) {
+        review.decided(fmt::format(
+            "\"{}\" is axial minus radial stress, \"{}\" the mean of three stresses: the first rises by 3 with the "
+            "second",
+            q.heading, p.heading
+        ));
+    } else if (is_drained && std::abs(slope - 1) <= tolerance) {
+        review.refuse(fmt::format(
+            "\"{}\" rises by 1 with \"{}\": they may be half the difference and half the sum of axial and radial "
+            "stress, t "
+            "and s; write q = 2 t and p = s - t/3",
+            q.heading, p.heading
+        ));
+    } else {
+        review.assumed(fmt::format(
+            "\"{}\" is axial minus radial stress, \"{}\" is (axial + 2 radial stress)/3", q.heading, p.heading
+        ));
+    }
+}
+
+void settle_effective(const RecordReview& review, TestColumn& stress) {
+    if (stress.is_effective) {
+        return;
+    }
+    if (review.record.find(Quantity::PorePressure) != nullptr) {
+        review.refuse(fmt::format(
+            "column \"{0}\" may be effective or total, as there is a pore pressure; write \"effective {0}\" or "
+            "\"total "
+            "{0}\"",
+            stress.heading
+        ));
+    }
+    review.assumed(fmt::format("\"{}\" is effective", stress.heading));
+    stress.is_effective = true;
+}
+
+} // namespace
+
+void check_stresses_are_compressive(const RecordReview& review) {
+    for (const Quantity q : {Quantity::MeanStress, Quantity::RadialStress, Quantity::AxialStress}) {
+        const TestColumn* column = review.record.find(q);
+        if (column != nullptr && review.sum([&](std::size_t k, std::size_t) { return column->values[k]; }) < 0) {
+            review.refuse(fmt::format(
+                "column \"{}\" is negative in the mean: compression seems to be negative, or a total stress below "
+                "the "
+                "pore pressure is meant; write compressive stresses and strains with a positive sign",
+                column->heading
+            ));
+        }
+    }
+}
+
+void settle_triaxial_stresses(const RecordReview& review) {
+    TestColumn* p = review.record.find(Quantity::MeanStress);
+    const TestColumn* q = review.record.find(Quantity::DeviatorStress);
+    TestColumn* radial = review.record.find(Quantity::RadialStress);
+    if (p != nullptr && q != nullptr && radial != nullptr) {
+        settle_by_radial_stress(review, *p, *q, *radial);
+    } else if (p != nullptr && q != nullptr) {
+        settle_by_slope(review, *p, *q);
+    }
+    for (const Quantity quantity : {Quantity::MeanStress, Quantity::RadialStress, Quantity::AxialStress}) {
+        if (TestColumn* column = review.record.find(quantity)) {
+            settle_effective(review, *column);
+        }
+    }
+}
+
+void settle_oedometer_stress(const RecordReview& review) {
+    settle_effective(review, *review.record.find(Quantity::AxialStress));
+}
+
+} // namespace suffuse::laboratory
