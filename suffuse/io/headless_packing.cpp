@@ -14,20 +14,48 @@ namespace {
 
 constexpr std::size_t mfix_columns = 6;
 
-/// Whether the first of five columns counts the rows from 0 or 1: an id, as many programs write it.
-bool begins_with_ids(std::string_view text, char mark) {
-    constexpr std::size_t looked_at = 1000, needed_rows = 2;
+/// What the first column may be besides x.
+struct FirstColumn {
+    bool is_whole = true; ///< a number of the grain, or its kind
+    bool counts = true;   ///< the rows, from 0 or 1, as many programs do
+};
+
+/// Of a table of two rows and more.
+FirstColumn look_at_first_column(std::string_view text, char mark) {
+    constexpr std::size_t looked_at = 1000, needed_rows = 2, none = std::numeric_limits<std::size_t>::max();
     LineReader reader("", text);
-    std::size_t rows = 0, first = 0;
+    FirstColumn column;
+    std::size_t rows = 0, first = none;
     for (; rows < looked_at && reader.next(); ++rows) {
         const Names f = split_row(reader.line(), mark);
-        const auto id = f.empty() ? std::nullopt : number_of<std::size_t>(f.front());
-        first = rows == 0 ? id.value_or(2) : first;
-        if (f.size() != 5 || !id || first > 1 || *id != first + rows) {
-            return false;
-        }
+        const std::size_t id = f.empty() ? none : number_of<std::size_t>(f.front()).value_or(none);
+        first = rows == 0 ? id : first;
+        column.is_whole = column.is_whole && id != none;
+        column.counts = column.counts && first <= 1 && id == first + rows;
     }
-    return rows >= needed_rows;
+    return rows >= needed_rows ? column : FirstColumn{false, false};
+}
+
+/// Whether the first column is the number of a grain; complains where that is one of two readings.
+bool begins_with_ids(const LineReader& reader, const PackingSource& source, std::size_t columns, char mark) {
+    const std::size_t needed = source.radius ? 3 : needed_columns;
+    const FirstColumn first = look_at_first_column(source.text, mark);
+    if (columns == needed + 1 && first.counts) {
+        return true;
+    }
+    if (columns > needed && first.is_whole) {
+        reader.complain(
+            "the whole numbers in column 1 may be x, or the number or kind of the grain; name the columns in a "
+            "line above, such as # id type x y z r"
+        );
+    }
+    if (!source.radius && first.counts) {
+        reader.complain(
+            "found x y z r, or the number of the grain and x y z, as column 1 counts the rows; write a line "
+            "# x y z r above, or of equal grains give their radius, --radius R"
+        );
+    }
+    return false;
 }
 
 /// Grains of one reading in the smallest box around them: more than fills it cannot be meant.
@@ -131,7 +159,7 @@ HeadlessColumns name_columns(const LineReader& reader, const PackingSource& sour
             {"x", "y", "z", "phase", "diameter", "density"},
             "the columns have no headings, and are read as x y z phase diameter density of MFIX"};
     }
-    if (begins_with_ids(source.text, mark)) {
+    if (begins_with_ids(reader, source, first.size(), mark)) {
         names = {"id", "x", "y", "z"};
     }
     if (!has_radius) {

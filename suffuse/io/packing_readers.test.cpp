@@ -163,6 +163,23 @@ TEST(PackingReaders, ATableWithoutHeadingsMayHaveCommas) {
     expect_words("or a heading that counts the columns", refusal("0,1,2,3\n1,2,3,0.5\n")); // pandas
 }
 
+TEST(PackingReaders, WholeNumbersInTheFirstColumnAreNotTakenForX) {
+    EXPECT_EQ(take_equal("1 .1 .2 .3\n2 .4 .5 .6\n", 0.01).grains.position[1], (Vec3{.4, .5, .6})); // id x y z
+    expect_words("may be x, or the number or kind of the grain", refusal("5 .1 .2 .3 .01\n9 .4 .5 .6 .01\n"));
+    expect_words("may be x, or the number or kind of the grain", refusal("1 1 .1 .2 .3 .01\n2 1 .4 .5 .6 .01\n"));
+    expect_words("column 1 counts the rows", refusal("1,.1,.2,.3\n2,.4,.5,.6\n"));
+    EXPECT_EQ(take_text("# x y z r\n1 .1 .2 .3\n2 .4 .5 .6\n").grains.radius[0], .3);
+    EXPECT_EQ(
+        take_text("# id type x y z r\n5 1 .1 .2 .3 .01\n9 1 .4 .5 .6 .01\n").grains.position[1], (Vec3{.4, .5, .6})
+    );
+}
+
+TEST(PackingReaders, UnitsBetweenBlanksBelongToTheWordBefore) {
+    const TakenPacking taken = take_text("x [mm] y [mm] z [mm] r (mm)\n1 2 3 0.5\n");
+    EXPECT_DOUBLE_EQ(taken.grains.position[0].z, 3e-3);
+    EXPECT_DOUBLE_EQ(taken.grains.radius[0], 0.5e-3);
+}
+
 TEST(PackingReaders, SixColumnsAreThoseOfMfixWhereThePhaseCannotBeARadius) {
     const TakenPacking mfix = take_text(test::read_all(test::in_checkout("tests/packings/mfix-particle_input.dat")));
     ASSERT_EQ(mfix.grains.size(), 3U);
@@ -173,7 +190,7 @@ TEST(PackingReaders, SixColumnsAreThoseOfMfixWhereThePhaseCannotBeARadius) {
     expect_words("column 4 may be the radius, or the phase of MFIX", refusal(far));
     EXPECT_EQ(take_text("# x y z r a b\n" + far).grains.radius[0], 1);
     EXPECT_EQ(take_text("# x y z phase diameter density\n" + far).grains.radius[0], 0.25);
-    EXPECT_EQ(take_text("0 0 0 1 0 0\n9 9 9 1 0 0\n").grains.radius[0], 1); // no diameter is 0
+    EXPECT_EQ(take_text("0.5 0 0 1 0 0\n9 9 9 1 0 0\n").grains.radius[0], 1); // no diameter is 0
 }
 
 TEST(PackingReaders, KratosNodesAndRadiiBelongTogether) {

@@ -127,6 +127,22 @@ Names names_in(const Notes& notes, std::size_t fields) {
     return {};
 }
 
+/// "x [m] y [m]" between blanks: a unit belongs to the word before it.
+Names with_units(const Names& words) {
+    Names names;
+    names.reserve(words.size());
+    for (const std::string_view word : words) {
+        const bool is_unit = word.starts_with('[') || word.starts_with('(');
+        if (is_unit && !names.empty()) {
+            const char* const begin = names.back().data();
+            names.back() = {begin, static_cast<std::size_t>(word.data() + word.size() - begin)};
+        } else {
+            names.push_back(word);
+        }
+    }
+    return names;
+}
+
 /// What separates columns, found in the first row; a blank for any number of blanks and tabs.
 char mark_in(std::string_view line) {
     const std::size_t semicolon = line.find(';'),
@@ -152,7 +168,7 @@ ImportedPacking parse_table(const PackingSource& source) {
             packing.warnings.push_back(fmt::format("{}:{}: {}", source.file, reader.number(), remark));
         }
     };
-    Names names = has_header ? first : names_in(notes, first.size());
+    Names names = has_header ? with_units(first) : names_in(notes, first.size());
     if (names.empty()) {
         const HeadlessColumns headless = name_columns(reader, source, first, mark);
         names = headless.names;
