@@ -42,16 +42,18 @@ struct ImportVerb final : Verb {
     PackingOutput output;
 
     void add_to(Options& options) override {
-        options.argument("FILE", file, packing_text).required();
+        options.argument("FILE", file, std::string(packing_text) + "; or a table of a laboratory test").required();
         options
             .value("--kind", kind, "of the file: packing (unless given), or a test: triaxial, oedometer, permeameter")
             .type("KIND")
             .suggest(kinds_of_files);
         options
             .value(
-                "--contraction", contraction, "sign of volumetric strains that contract, where a test does not show it"
+                "--contraction", contraction,
+                "positive or negative: sign of volumetric strains that contract, where a test does not show it"
             )
-            .type("positive|negative");
+            .type("SIGN")
+            .suggest(std::vector<std::string>{"positive", "negative"});
         cell.add_to(options);
         options
             .value(
@@ -100,7 +102,7 @@ std::string length_text(double length) {
 
 std::string sentence(const nlohmann::json& about) {
     std::string text = fmt::format(
-        "{}: {} grains, d {} to {}", about["file"].get<std::string>(), count_text(about["grains"]),
+        "{}: {}, d {} to {}", about["file"].get<std::string>(), plural(about["grains"], "grain"),
         length_text(2 * about["radius"][0].get<double>()), length_text(2 * about["radius"][1].get<double>())
     );
     if (about.contains("void_ratio")) {

@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -264,10 +265,12 @@ std::pair<Sheet, Head> find_table(const std::shared_ptr<const Source>& text, Tes
             return {std::move(sheet), std::move(*head)};
         }
     }
+    constexpr std::array examples{Quantity::AxialStrain, Quantity::AxialStress, Quantity::Discharge}; // by kind
+    const QuantityRow& example = row_of(examples[static_cast<std::size_t>(kind)]);
     throw CaseError(
         fmt::format(
             "{}: found no heading with two of: {}; write one above the numbers, such as \"{} [{}]\"", text->name,
-            words_expected(kind), row_of(Quantity::AxialStress).name, row_of(Quantity::AxialStress).usual_unit
+            words_expected(kind), example.name, example.usual_unit
         ),
         text->name
     );
