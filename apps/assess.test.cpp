@@ -274,6 +274,29 @@ TEST_F(Assess, ReportsClassesOfSizeAndTheNumberOfTheMeasuredPart) {
     EXPECT_GT(criteria[0]["measured"].get<double>(), 1.3);
 }
 
+TEST_F(Assess, ReadsTheColumnsThatAreNamed) {
+    write_to(folder / "named.csv", "A,B,C\n63,28,10\n200,22,60\n630,50,100\n");
+    EXPECT_EQ(call("named.csv --size A:um --passing C --show-reading"), 0);
+    expect_out("sizes: A, in um; shares: C, read as percent passing, in %\n       0.063 mm         10 %\n");
+    EXPECT_EQ(call("named.csv --size A:um --share 2 --show-reading --json"), 0);
+    const auto shown = nlohmann::json::parse(out)["soils"][0];
+    EXPECT_EQ(shown["reading"], "sizes: A, in um; shares: B, read as retained on each sieve alone, in %");
+    EXPECT_NEAR(shown["passing"][1].get<double>(), 0.28, 1e-12);
+    EXPECT_EQ(call("named.csv --size A:um --passing C"), 0);
+    expect_in("--size A:um --passing C", error); // so that the next command reads it, too
+    EXPECT_EQ(call("named.csv --size D --passing C"), 3);
+    expect_in("there is no column `D`", error);
+    EXPECT_EQ(call("named.csv --by volume"), 2);
+}
+
+TEST_F(Assess, ARefusalNamesTheCommandThatWorks) {
+    write_to(folder / "both.csv", "d_mm,weight_percent\n2,5\n1,10\n0.5,15\n0.25,20\n0.125,22\n0.063,28\n");
+    EXPECT_EQ(call("both.csv"), 3);
+    expect_in("--size 1:mm --share 2 or --size 1:mm --retained 2", error);
+    EXPECT_EQ(call("both.csv --size 1:mm --share 2"), 0);
+    expect_out("d10 0.0805  d50 0.25  d60 0.354 mm  Cu 4.39");
+}
+
 TEST_F(Assess, BadInputIsNamedWithItsPlace) {
     write_to(folder / "bad.csv", "d [mm],passing [%]\n0.1,0\n0.2,70\n0.3,60\n0.4,120\n");
     EXPECT_EQ(call("bad.csv"), 3);

@@ -35,14 +35,19 @@ std::string flag_names(const CLI::Option& option) {
 
 /// @param left_out a flag that is not listed, besides --help
 std::string flags_of(const CLI::App& app, bool positional, std::string_view left_out = {}) {
-    std::string text;
+    std::string text, group, of_group;
+    const std::string usual = app.get_help_ptr()->get_group();
     for (const CLI::Option* option : app.get_options()) {
-        if (option->get_positional() == positional && option->get_name() != "--help" &&
-            option->get_name() != left_out) {
+        const bool is_listed =
+            option->get_positional() == positional && option->get_name() != "--help" && option->get_name() != left_out;
+        if (is_listed && option->get_group() != usual) {
+            group = option->get_group();
+            of_group += (of_group.empty() ? "" : ", ") + option->get_name();
+        } else if (is_listed) {
             text += fmt::format("  {:24} {}\n", flag_names(*option), option->get_description());
         }
     }
-    return text;
+    return group.empty() ? text : text + fmt::format("  {} {}\n", of_group, group);
 }
 
 } // namespace

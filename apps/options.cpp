@@ -106,6 +106,11 @@ Option& Option::excludes(const Option& other) {
     return *this;
 }
 
+Option& Option::of_group(const std::string& text) {
+    option_->group(text);
+    return *this;
+}
+
 Option Options::argument(const std::string& name, std::string& value, const std::string& text) {
     return Option(verb_->add_option(name, value, text));
 }

@@ -31,6 +31,7 @@ public:
     Option& ratio(double least, double most = std::numeric_limits<double>::max());
     Option& needs(const Option& other);
     Option& excludes(const Option& other);
+    Option& of_group(const std::string& text); ///< one line of the help for all options of a text
 
 private:
     CLI::Option* option_;

@@ -54,7 +54,9 @@ struct AssessVerb final : Verb {
 
     std::vector<std::string> files; ///< gradings, or cases
     std::string sample;             ///< of a file that holds several
-    std::string filter;             ///< another soil, which is to hold these
+    ReadingFlags reading;
+    bool shows_reading = false;
+    std::string filter; ///< another soil, which is to hold these
     bool wants_page = false;
     std::string fines; ///< size below which grains are fine, with its unit
     std::optional<double> seepage_gradient, relative_density, porosity;
@@ -74,6 +76,8 @@ struct AssessVerb final : Verb {
             )
             .required();
         options.value("--sample", sample, "only this sample of a table with several").type("NAME");
+        options.flag("--show-reading", shows_reading, "print which columns are read as what, and the points; no more");
+        reading.add_to(options, "COLUMN[:UNIT] and other words on how FILE is read: docs/gradings.md");
         options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
         options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
@@ -121,11 +125,12 @@ struct AssessVerb final : Verb {
             !has_case && found.fines &&
             grains::representative_count(found.grading, found.fines->finer_than) > most_quick_grains;
         return fmt::format(
-            "{}: suffuse {} {}{}{}",
+            "{}: suffuse {} {}{}{}{}",
             is_too_wide ? "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines"
                         : "to find how many grains are free to move, simulate",
             has_case ? "run" : "new --psd", shell_word(case_of_run(files.front())),
-            sample.empty() ? "" : " --sample " + shell_word(sample), is_too_wide ? " --surrogate" : ""
+            sample.empty() ? "" : " --sample " + shell_word(sample),
+            reading.is_empty() ? "" : " " + gradings::command_words(reading), is_too_wide ? " --surrogate" : ""
         );
     }
 };
@@ -211,7 +216,7 @@ read_all(const AssessVerb& verb, const stability::AssessSpec& spec, const Consol
             add_case_soils(verb, file, spec, console, soils);
             continue;
         }
-        gradings::GradingFile read = read_gradings_of(file, verb.sample);
+        gradings::GradingFile read = read_gradings_of(file, verb.sample, verb.reading);
         print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
@@ -310,7 +315,34 @@ std::string write_playground(
     return file.string();
 }
 
+/// Prints how each file is read.
+int show_readings(const AssessVerb& verb, const Console& console) {
+    json soils = json::array(), remarks = json::array();
+    for (const std::string& file : verb.files) {
+        const gradings::GradingFile read = read_gradings_of(file, verb.sample, verb.reading);
+        print_remarks(read, console);
+        console.result(fmt::format("{}{}", verb.files.size() > 1 ? file + "\n" : "", shown_reading(read)));
+        for (const Diagnostic& remark : read.remarks) {
+            remarks.push_back(remark_text(remark));
+        }
+        for (const gradings::NamedGrading& soil : read.soils) {
+            soils.push_back(
+                {{"file", file},
+                 {"soil", soil.name},
+                 {"reading", soil.reading},
+                 {"diameter", soil.grading.diameter},
+                 {"passing", soil.grading.passing}}
+            );
+        }
+    }
+    console.document(json_text({{"soils", soils}, {"remarks", remarks}}));
+    return Done;
+}
+
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
+    if (shows_reading) {
+        return show_readings(*this, console);
+    }
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
     const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks);

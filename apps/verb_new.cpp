@@ -55,11 +55,12 @@ struct NewVerb final : Verb {
               "suffuse new my-dyke --psd dyke.csv --flow level -i 12m/30m"
           ) {}
 
-    std::string given;                     ///< folder
-    std::string from;                      ///< template
-    std::string psd, sizes;                ///< grading curve, and the part of it that is modeled
-    std::string fines;                     ///< size below which grains are fine, with its unit
-    std::string sample;                    ///< of a file of several curves
+    std::string given;      ///< folder
+    std::string from;       ///< template
+    std::string psd, sizes; ///< grading curve, and the part of it that is modeled
+    std::string fines;      ///< size below which grains are fine, with its unit
+    std::string sample;     ///< of a file of several curves
+    ReadingFlags reading;
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
     std::optional<double> gradient;
@@ -74,8 +75,15 @@ struct NewVerb final : Verb {
         );
         const Option example =
             options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
-        options.value("--psd", psd, std::string("of your own soil ") + grading_text).type("FILE").excludes(example);
+        options
+            .value(
+                "--psd", psd,
+                std::string("of your own soil ") + grading_text + "; it is read as by assess, whose flags say how"
+            )
+            .type("FILE")
+            .excludes(example);
         options.value("--sample", sample, "with --psd: only this sample of a table with several").type("NAME");
+        reading.add_to(options, "");
         const Option part =
             options.value("--sizes", sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
                 .type("FROM,TO");
@@ -318,7 +326,7 @@ int new_surrogate(
 
 int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
     const OwnConditions conditions = conditions_of(verb); // what was typed is judged before what the file holds
-    const gradings::GradingFile read = read_one_grading(curve.path, verb.sample);
+    const gradings::GradingFile read = read_one_grading(curve.path, verb.sample, verb.reading);
     print_remarks(read, console);
     const std::string& sample = read.soils.front().name;
     curve.name = sample.empty() ? curve.path : sample + ".csv";
@@ -366,6 +374,7 @@ int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
 void expect_no_curve_options(const NewVerb& verb) {
     for (const auto& [option, is_given] :
          {std::pair{"--sample", !verb.sample.empty()},
+          {"--size", !verb.reading.is_empty()},
           {"--sizes", !verb.sizes.empty()},
           {"--fines", !verb.fines.empty()},
           {"--surrogate", verb.surrogate},

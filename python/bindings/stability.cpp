@@ -59,7 +59,7 @@ std::optional<stability::Seepage> seepage_of(
 constexpr std::string_view gradings = "a file, a World, or a pair (sizes in meters, shares finer by mass)";
 
 /// One of these.
-job::AssessedSoil soil_of(const py::object& what) {
+job::AssessedSoil soil_of(const py::object& what, const gradings::ReadingOptions& options) {
     job::AssessedSoil soil;
     if (py::isinstance<WorldHandle>(what)) {
         soil.name = "a packing";
@@ -78,7 +78,7 @@ job::AssessedSoil soil_of(const py::object& what) {
         }
         const auto path = what.cast<std::filesystem::path>();
         soil.name = path.string();
-        soil.assessment.grading = gradings::read_grading(path.string(), gradings::CurveEnds::MayBeOpen);
+        soil.assessment.grading = gradings::read_grading(path.string(), gradings::CurveEnds::MayBeOpen, options);
     }
     return soil;
 }
@@ -86,14 +86,28 @@ job::AssessedSoil soil_of(const py::object& what) {
 py::object assess(
     const py::object& grading, const py::object& finer_than, const py::object& relative_density, bool coarse_fabric,
     const py::object& gradient, const py::object& porosity, const py::object& density, const py::object& alpha,
-    const py::object& flow
+    const py::object& flow, const py::object& size, const py::object& passing, const py::object& retained,
+    const py::object& share, const py::object& mass, const py::object& by, const py::object& sheet,
+    const py::object& rows
 ) {
+    const auto words = [](const py::object& value) {
+        return value.is_none() ? "" : py::str(value).cast<std::string>();
+    };
+    const gradings::ReadingOptions options{
+        words(size),
+        words(passing),
+        words(retained),
+        words(share),
+        words(mass),
+        words(by),
+        sheet.is_none() ? std::nullopt : std::optional(sheet.cast<std::int64_t>()),
+        words(rows)};
     stability::AssessSpec spec;
     spec.finer_than = optional_quantity(finer_than, dimension::length, "finer_than");
     spec.relative_density = optional_quantity(relative_density, dimension::none, "relative_density");
     spec.fabric = coarse_fabric ? stability::PrimaryFabric::Coarse : stability::PrimaryFabric::Soil;
     spec.seepage = seepage_of(gradient, porosity, density, alpha, flow);
-    job::AssessedSoil soil = soil_of(grading);
+    job::AssessedSoil soil = soil_of(grading, options);
     soil.measured = soil.assessment.grading;
     soil.assessment = stability::assess_measured(soil.measured, spec);
     nlohmann::json document = job::soil_json(soil, spec);
@@ -108,7 +122,9 @@ void bind_stability(py::module_& m) {
         "assess", &assess, py::arg("grading"), py::kw_only(), py::arg("finer_than") = py::none(),
         py::arg("relative_density") = py::none(), py::arg("coarse_fabric") = false, py::arg("gradient") = py::none(),
         py::arg("porosity") = py::none(), py::arg("density") = py::none(), py::arg("alpha") = py::none(),
-        py::arg("flow") = py::none()
+        py::arg("flow") = py::none(), py::arg("size") = py::none(), py::arg("passing") = py::none(),
+        py::arg("retained") = py::none(), py::arg("share") = py::none(), py::arg("mass") = py::none(),
+        py::arg("by") = py::none(), py::arg("sheet") = py::none(), py::arg("rows") = py::none()
     );
     m.def("atlas_table", &atlas::shipped_table);
 }

@@ -207,6 +207,13 @@ void Problems::warning(std::string code, const Place& place, std::string message
     add({std::move(code), {}, 0, 0, 1, {}, std::move(message), std::move(label), std::move(help), true}, place);
 }
 
+void Problems::advise(const std::string& help) {
+    const auto first = std::find_if(list_.begin(), list_.end(), [](const Diagnostic& d) { return !d.is_warning; });
+    if (first != list_.end()) {
+        first->help += (first->help.empty() ? "" : "; ") + help;
+    }
+}
+
 void Problems::take_over(const Problems& other) {
     list_.insert(list_.end(), other.list_.begin(), other.list_.end());
 }

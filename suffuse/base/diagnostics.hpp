@@ -42,6 +42,9 @@ public:
     void
     warning(std::string code, const Place& place, std::string message, std::string help = {}, std::string label = {});
 
+    /// Adds to the help of the first error.
+    void advise(const std::string& help);
+
     /// All that another list holds, behind what this one does.
     void take_over(const Problems& other);
 

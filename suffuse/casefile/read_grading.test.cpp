@@ -139,13 +139,13 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
 }
 
 TEST(ReadGrading, AllBadLinesAreReportedAtOnce) {
-    const Parsed parsed = parse("d,passing\nx,0\n0.2,y\n0.3,100,7\n");
+    const Parsed parsed = parse("d [mm],passing\nx,0\n0.2,y\n0.3,100,7\n");
     ASSERT_EQ(parsed.problems.size(), 3U);
     EXPECT_EQ(parsed.problems[2].line, 4);
 }
 
 TEST(ReadGrading, ABadCurveOfACaseIsReportedInItsOwnFile) {
-    std::ofstream(data_folder() + "/data/bad.csv") << "d,passing\n0.1,0\n0.2,70\n0.3,60\n0.4,100\n";
+    std::ofstream(data_folder() + "/data/bad.csv") << "d [mm],passing\n0.1,0\n0.2,70\n0.3,60\n0.4,100\n";
     std::string text = good_case;
     text.replace(text.find("sand.csv"), 8, "bad.csv");
     const auto list = problems_of(text + "[contact]\nmodulus = 1\n");
@@ -154,6 +154,17 @@ TEST(ReadGrading, ABadCurveOfACaseIsReportedInItsOwnFile) {
     EXPECT_TRUE(found.file.ends_with("data/bad.csv")) << found.file;
     EXPECT_EQ(found.line, 4);
     EXPECT_EQ(found.source_line, "0.3,60");
+}
+
+TEST(ReadGrading, ACaseNamesTheColumnsOfAFile) {
+    std::ofstream(data_folder() + "/data/named.csv") << "A,B,C\n100,1,0\n200,7,50\n400,3,100\n";
+    std::string text = good_case;
+    text.replace(text.find("\"data/sand.csv\""), 15, R"({ file = "data/named.csv", size = "A:um", passing = "C" })");
+    EXPECT_TRUE(problems_of(text).empty()) << render(problems_of(text));
+    text.replace(text.find("A:um"), 4, "D:um");
+    EXPECT_NE(render(problems_of(text)).find("there is no column `D`"), std::string::npos);
+    text.replace(text.find("size ="), 6, "sizs =");
+    EXPECT_NE(render(problems_of(text)).find("`sizs` of a grading in a file"), std::string::npos);
 }
 
 TEST(ReadGrading, ReadsTheExamplesCurve) {

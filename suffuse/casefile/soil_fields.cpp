@@ -5,6 +5,7 @@
 #include "suffuse/gradings/read_grading.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/surrogate.hpp"
+#include "suffuse/io/text_file.hpp"
 
 #include <fmt/format.h>
 
@@ -18,10 +19,12 @@ namespace {
 using grains::Grading;
 
 /// A curve from a file; each file is read once a case, however many sweeps use it.
-std::optional<Grading> read_curve_file(Reader& v, const Node& node, gradings::CurveEnds ends) {
+std::optional<Grading>
+read_curve_file(Reader& v, const Node& node, gradings::CurveEnds ends, const gradings::ReadingOptions& options = {}) {
     const std::string path = resolved_path(v.context().folder, node.text);
     auto& known = v.context().gradings;
-    if (const auto found = known.find({path, ends}); found != known.end()) {
+    const auto key = std::pair(path + gradings::command_words(options), ends);
+    if (const auto found = known.find(key); found != known.end()) {
         return found->second;
     }
     std::error_code failed;
@@ -38,15 +41,47 @@ std::optional<Grading> read_curve_file(Reader& v, const Node& node, gradings::Cu
     const std::string shown = (std::filesystem::path(v.context().folder) / node.text).lexically_normal().string();
     try {
         const auto source = std::make_shared<Source>(Source{shown, read_whole_file(path)});
-        auto grading = gradings::parse_grading(source, v.context().problems, ends);
+        auto grading = gradings::parse_grading(source, v.context().problems, ends, options);
         if (grading) {
             grading->origin = node.text;
         }
-        return known[{path, ends}] = grading;
+        return known[key] = grading;
     } catch (const IoError& problem) {
         v.error("E501", node.place, problem.what(), "make the file readable");
         return std::nullopt;
     }
+}
+
+/// A file and how it is read: { file = "soil.csv", size = "1:um", share = "2" }.
+std::optional<Grading> read_curve_by_columns(Reader& v, const Node& node, gradings::CurveEnds ends) {
+    gradings::ReadingOptions options;
+    const Node* file = nullptr;
+    std::string sheet;
+    const std::vector<std::pair<std::string_view, std::string*>> texts{
+        {"size", &options.size},   {"passing", &options.passing}, {"retained", &options.retained},
+        {"share", &options.share}, {"mass", &options.mass},       {"by", &options.by},
+        {"sheet", &sheet},         {"rows", &options.rows}};
+    bool is_good = true;
+    for (const auto& [key, place, value] : node.entries) {
+        const auto known = std::ranges::find(texts, key, &std::pair<std::string_view, std::string*>::first);
+        if (!value.is_text() || (key != "file" && known == texts.end())) {
+            v.error(
+                value.is_text() ? "E203" : "E205", place, fmt::format("`{}` of a grading in a file", key),
+                "texts of `file`, `size`, `passing`, `retained`, `share`, `mass`, `by`, `sheet` and `rows`"
+            );
+            is_good = false;
+        } else if (key == "file") {
+            file = &value;
+        } else {
+            *known->second = value.text;
+        }
+    }
+    options.sheet = io::number_of<std::int64_t>(sheet);
+    if (!sheet.empty() && !options.sheet) {
+        v.error("E205", node.place, fmt::format("`sheet` is \"{}\"", sheet), "the number of the table, as in \"2\"");
+        is_good = false;
+    }
+    return is_good && file != nullptr ? read_curve_file(v, *file, ends, options) : std::nullopt;
 }
 
 /// A curve written out: { d = [...], passing = [...], origin = "..." }.
@@ -106,7 +141,7 @@ std::optional<Grading> read_curve(Reader& v, gradings::CurveEnds ends = gradings
         return std::nullopt;
     }
     if (node->is_table()) {
-        return read_curve_table(v, *node, ends);
+        return node->find("file") != nullptr ? read_curve_by_columns(v, *node, ends) : read_curve_table(v, *node, ends);
     }
     if (node->is_text()) {
         return read_curve_file(v, *node, ends);

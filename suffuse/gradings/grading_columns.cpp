@@ -1,6 +1,7 @@
 #include "suffuse/gradings/grading_columns.hpp"
 
 #include "suffuse/base/units.hpp"
+#include "suffuse/gradings/column_content.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/soil_columns.hpp"
 #include "suffuse/gradings/unnamed_columns.hpp"
@@ -174,7 +175,7 @@ private:
     bool choose_shares() {
         for (const ShareMeaning meaning :
              {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained,
-              ShareMeaning::Cumulative}) {
+              ShareMeaning::Cumulative, ShareMeaning::Unstated}) {
             const auto columns = columns_of(ColumnKind::Share, meaning);
             if (!columns.empty()) {
                 return take_shares(columns);
@@ -260,16 +261,26 @@ private:
         return rows > 1 && values.size() == rows;
     }
 
-    /// Columns whose headings say neither: soils, where their numbers rise or fall with the size throughout.
+    /// Columns whose headings say neither: soils, by their numbers.
     bool take_unnamed() {
+        std::vector<std::pair<std::size_t, Amounts>> columns;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool may_be = headings_[k].kind == ColumnKind::Other ||
                                 (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
-            if (may_be && is_cumulative(sheet_, found_.first_row, found_.size, k)) {
-                found_.shares.push_back(
-                    {k, {}, header_->cells[k].text, ShareMeaning::Cumulative, headings_[k].unit, false}
-                );
+            const auto amounts =
+                may_be ? amounts_in(sheet_, found_.first_row, found_.size, k) : std::optional<Amounts>{};
+            if (amounts && may_be_shares(find_possible_meanings(*amounts))) {
+                columns.emplace_back(k, *amounts);
             }
+        }
+        std::erase_if(columns, [all = columns](const auto& own) { // of two columns of one soil the one that is added up
+            return std::ranges::any_of(all, [&own](const auto& other) {
+                return other.first != own.first && !are_cumulative(own.second) && are_cumulative(other.second) &&
+                       are_differences(own.second, other.second);
+            });
+        });
+        for (const auto& [k, amounts] : columns) {
+            found_.shares.push_back({k, {}, header_->cells[k].text, ShareMeaning::Unstated, headings_[k].unit, false});
         }
         if (found_.shares.empty()) {
             problems_.error(
@@ -286,28 +297,31 @@ private:
                 found_.sample_key.push_back(k);
             }
         }
-        if (found_.shares.size() == 1) {
-            remark_on_meaning(found_.shares.front().index);
-        } else {
-            problems_.warning(
-                sheet_remark, header_->place,
-                fmt::format(
-                    "{} columns are read as cumulative shares, each of a soil of its own, because their numbers rise "
-                    "or fall throughout",
-                    found_.shares.size()
-                )
-            );
-        }
+        remark_on_meaning(std::ranges::all_of(columns, [](const auto& column) { return are_cumulative(column.second); })
+        );
         return true;
     }
 
-    void remark_on_meaning(std::size_t column) {
+    static bool are_cumulative(const Amounts& amounts) {
+        const PossibleMeanings possible = find_possible_meanings(amounts);
+        return possible.passing || possible.cumulative_retained;
+    }
+
+    void remark_on_meaning(bool are_cumulative) {
+        const std::size_t first = found_.shares.front().index;
+        const bool is_one = found_.shares.size() == 1;
         problems_.warning(
-            sheet_remark, header_ != nullptr ? place_at(*header_, column) : sheet_.rows[found_.first_row].place,
+            sheet_remark, is_one ? place_at(*header_, first) : header_->place,
             fmt::format(
-                "column {} is read as a cumulative share, because its numbers rise or fall throughout", column + 1
+                "{} read as {}{}, because {}",
+                is_one ? fmt::format("column {} is", first + 1) : fmt::format("{} columns are", found_.shares.size()),
+                is_one && are_cumulative ? "a cumulative share"
+                : are_cumulative         ? "cumulative shares"
+                                         : "shares",
+                is_one ? "" : ", each of a soil of its own",
+                are_cumulative ? "the numbers rise or fall throughout" : "the numbers add up to 100 %"
             ),
-            "name it `passing [%]` to say so"
+            is_one ? "name it `passing [%]` or `retained on sieve [%]` to say so" : ""
         );
     }
 

@@ -19,6 +19,12 @@ struct SizeColumn {
     SizeScale scale = SizeScale::Unknown;
 };
 
+/// A unit of sizes that stands in a title, a comment or a heading above.
+struct StatedUnit {
+    SizeScale scale = SizeScale::Unknown;
+    Place place;
+};
+
 struct ShareColumn {
     std::size_t index = 0;
     std::optional<std::size_t> tare = {}; ///< the column of masses to be taken off
@@ -34,6 +40,9 @@ struct GradingColumns {
     SizeColumn size;
     std::vector<ShareColumn> shares;     ///< one a soil, or one for all
     std::vector<std::size_t> sample_key; ///< columns that say which soil a row belongs to
+    StatedUnit stated_unit = {};         ///< of sizes whose heading gives none
+    bool is_by_number = false;           ///< shares of the number of grains, not of their mass
+    bool is_headed = true;               ///< false: a remark already says that sizes are read in mm
 };
 
 constexpr const char* expected_header =

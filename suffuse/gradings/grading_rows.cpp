@@ -1,6 +1,7 @@
 #include "suffuse/gradings/grading_rows.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/gradings/column_content.hpp"
 #include "suffuse/gradings/plain_sizes.hpp"
 #include "suffuse/gradings/table_cells.hpp"
 
@@ -54,8 +55,7 @@ private:
         const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(columns_.first_row);
         const auto row = std::find_if(begin, sheet_.rows.end(), is_class);
         for (ShareColumn& share : columns_.shares) {
-            const bool is_open = share.meaning == ShareMeaning::Retained || share.meaning == ShareMeaning::Cumulative;
-            if (row != sheet_.rows.end() && is_open) {
+            if (row != sheet_.rows.end() && is_open(share.meaning)) {
                 share.meaning = ShareMeaning::OnSieve;
                 remark(
                     place_at(*row, columns_.size.index),
@@ -127,9 +127,16 @@ private:
         if (!size) {
             return;
         }
+        for (const ShareColumn& share : columns_.shares) {
+            if (may_bound_classes(share) && is_blank(text_at(row, share.index))) {
+                soil_of(row, share).blanks.push_back({size->diameter, place_at(row, columns_.size.index)});
+            }
+        }
         if (is_empty) {
-            skipped_.emplace_back(trimmed(word));
-            skipped_place_ = skipped_.size() == 1 ? row.place : skipped_place_;
+            if (!may_bound_classes(columns_.shares.front())) {
+                skipped_.emplace_back(trimmed(word));
+                skipped_place_ = skipped_.size() == 1 ? row.place : skipped_place_;
+            }
             return;
         }
         if (!take_bound(row, *size) && (size->diameter != 0 || !take_zero(row))) {
@@ -139,6 +146,11 @@ private:
                 }
             }
         }
+    }
+
+    /// A column of shares without a meaning may be one of classes between edges, of which there is one more.
+    [[nodiscard]] bool may_bound_classes(const ShareColumn& share) const {
+        return share.meaning == ShareMeaning::Unstated && columns_.sample_key.empty();
     }
 
     /// What stands in place of the size; in a column before it where that cell is empty: "Total,,100".
@@ -175,7 +187,11 @@ private:
     /// "< 0.063" keeps what passed the finest sieve where masses or shares are retained, and is a size where they pass;
     /// what passes "> 63" is no question. @return whether the row is done with.
     bool take_bound(const SheetRow& row, const CellSize& size) {
-        const bool is_retained = keeps(columns_.shares.front().meaning);
+        const ShareMeaning meaning = columns_.shares.front().meaning;
+        if (size.sense == SizeSense::Finer && is_open(meaning) && !keeps(meaning)) {
+            return false; // the numbers of all rows will show whether this is the pan
+        }
+        const bool is_retained = keeps(meaning);
         const bool is_pan = is_retained || std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
                                 return number_at(sheet_, row, share.index).value_or(0) == 0;
                             });
@@ -204,6 +220,9 @@ private:
             const auto value = number_at(sheet_, row, share.index);
             return value && *value == 0;
         });
+        if (!has_none && is_open(columns_.shares.front().meaning)) {
+            return false;
+        }
         if (has_none) {
             remark(row.place, "size 0 is skipped: no grain is that small", "write the size of the smallest grains");
         }
@@ -221,7 +240,7 @@ private:
             }
             SievedSoil& soil = soil_of(row, share);
             // what was washed away and what lies in the pan are two parts of one
-            const bool is_own = share.meaning == ShareMeaning::OnSieve || share.meaning == ShareMeaning::Retained;
+            const bool is_own = share.meaning == ShareMeaning::OnSieve || is_open(share.meaning);
             soil.pan = is_own ? soil.pan.value_or(0) + *amount : std::max(soil.pan.value_or(0), *amount);
             soil.end = row.place;
             if (share.meaning == ShareMeaning::Passing && *amount != 0) {
@@ -250,7 +269,8 @@ private:
             SievedSoil& soil = soil_of(row, share);
             soil.end = row.place;
             soil.sieves.push_back(
-                {size.diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), size.has_unit}
+                {size.diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), size.has_unit,
+                 size.sense == SizeSense::Finer || size.diameter == 0, size.upper}
             );
         }
     }
@@ -269,6 +289,12 @@ private:
             soil.heading_place =
                 columns_.first_row > 0 ? place_at(sheet_.rows[columns_.first_row - 1], share.index) : row.place;
             soil.end = row.place;
+            if (columns_.first_row > 0) {
+                soil.heading = text_at(sheet_.rows[columns_.first_row - 1], share.index);
+                soil.size_heading = text_at(sheet_.rows[columns_.first_row - 1], columns_.size.index);
+            }
+            soil.is_by_number = columns_.is_by_number;
+            soil.size_unit = scale_name(columns_.size.scale);
             soils_.push_back(std::move(soil));
         }
         return soils_[found->second];
@@ -299,15 +325,28 @@ private:
 /// The scale of sizes without a unit, reported where it was found in the numbers. @return whether some have a unit
 bool settle_scale(const Sheet& sheet, GradingColumns& columns, Problems& problems) {
     const PlainSizes sizes = judge_plain_sizes(sheet, columns);
+    const Place& first = sheet.rows[columns.first_row].place;
     if (sizes.scale != columns.size.scale) {
         problems.warning(
-            sheet_remark, sheet.rows[columns.first_row].place,
+            sheet_remark, first,
             sizes.scale == SizeScale::SieveNumber
                 ? "plain sizes are read as sieve numbers of ASTM E11, because only then do they agree with the shares"
+            : sizes.scale == SizeScale::Phi ? "sizes below 0 are read as phi: d = 2^-phi mm"
+            : sizes.scale == SizeScale::Micrometers
+                ? "sizes without a unit are read in um, because in mm some would be wider than 2 m"
                 : "plain sizes are read in mm, because sieve numbers are whole",
-            "name the column `d [mm]` or `sieve no.` to say so"
+            "name the column `d [mm]`, `d [um]`, `phi` or `sieve no.` to say so"
         );
         columns.size.scale = sizes.scale;
+    } else if (sizes.scale == SizeScale::Unknown && sizes.has_plain && columns.stated_unit.scale != SizeScale::Unknown) {
+        columns.size.scale = columns.stated_unit.scale;
+        if (columns.size.scale == SizeScale::Micrometers) {
+            problems.warning(sheet_remark, columns.stated_unit.place, "sizes are read in um, the unit stated here");
+        }
+    } else if (sizes.scale == SizeScale::Unknown && sizes.has_plain && columns.is_headed) {
+        problems.warning(
+            sheet_remark, first, "no unit is given for the sizes: read in mm", "name the column `d [mm]` or `d [um]`"
+        );
     }
     return sizes.mix_units;
 }

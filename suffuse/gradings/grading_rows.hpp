@@ -16,6 +16,14 @@ struct SieveRow {
     double amount = 0;   ///< share [-] or mass [kg]
     Place diameter_place, amount_place;
     bool has_unit = false; ///< of the size: at it or in the heading
+    bool is_bound = false; ///< "< 0.063" or 0: the pan, unless it is a size that grains pass
+    double upper = 0;      ///< of a class, its coarser bound [m]
+};
+
+/// A size without a value.
+struct BlankSize {
+    double diameter = 0; ///< [m]
+    Place place;
 };
 
 struct SievedSoil {
@@ -28,6 +36,9 @@ struct SievedSoil {
     Place heading_place, end;
     std::size_t column = 0;    ///< of the sheet, from 0
     std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
+    std::string size_heading, size_unit = "mm";
+    bool is_by_number = false;     ///< shares of the number of grains, not of their mass
+    std::vector<BlankSize> blanks; ///< where a heading says nothing: they may bound classes
 };
 
 /// Empty where something is wrong, all of which is reported.

@@ -1,23 +1,17 @@
 #include "suffuse/gradings/grading_shares.hpp"
 
+#include "suffuse/gradings/class_edges.hpp"
+#include "suffuse/gradings/column_content.hpp"
+#include "suffuse/gradings/number_shares.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace suffuse::gradings {
 
 namespace {
-
-std::vector<SieveRow*> coarsest_first(SievedSoil& soil) {
-    std::vector<SieveRow*> sieves;
-    for (SieveRow& sieve : soil.sieves) {
-        sieves.push_back(&sieve);
-    }
-    std::ranges::stable_sort(sieves, std::greater{}, &SieveRow::diameter);
-    return sieves;
-}
 
 double sum_of(const SievedSoil& soil) {
     double sum = soil.pan.value_or(0);
@@ -27,65 +21,113 @@ double sum_of(const SievedSoil& soil) {
     return sum;
 }
 
-/// Amounts that fall from a sieve to a finer one are no cumulative ones. Percents that add up to 100 are each sieve's
-/// own; those that add up to more are not. Nothing where neither can be said.
-std::optional<ShareMeaning> recognize_retained(SievedSoil& soil) {
-    const std::vector<SieveRow*> sieves = coarsest_first(soil);
-    const auto falls = [](const SieveRow* coarse, const SieveRow* fine) { return fine->amount < coarse->amount; };
-    if (std::ranges::adjacent_find(sieves, falls) != sieves.end()) {
-        return ShareMeaning::OnSieve;
-    }
-    const double sum = sum_of(soil);
-    if (soil.unit == ShareUnit::Mass) { // a pan below the last cumulative mass is no cumulative one
-        const bool is_less = soil.pan && !sieves.empty() && *soil.pan < sieves.back()->amount;
-        const bool adds_up = soil.total && std::abs(sum - *soil.total) <= 0.01 * *soil.total;
-        return is_less || adds_up ? std::optional(ShareMeaning::OnSieve) : std::nullopt;
-    }
-    return std::abs(sum - 1) <= 0.01 ? std::optional(ShareMeaning::OnSieve)
-           : sum > 1.02              ? std::optional(ShareMeaning::CumulativeRetained)
-                                     : std::nullopt;
+/// Amounts whose whole is not known but from all of them.
+bool is_weighed_or_counted(const SievedSoil& soil) {
+    return soil.unit == ShareUnit::Mass || soil.unit == ShareUnit::Count;
 }
 
-/// A cumulative share that rises with the size is what is finer, one that falls what is coarser.
-std::optional<ShareMeaning> recognize_cumulative(SievedSoil& soil) {
-    const std::vector<SieveRow*> sieves = coarsest_first(soil);
-    const double change = sieves.empty() ? 0 : sieves.front()->amount - sieves.back()->amount;
-    return change > 0   ? std::optional(ShareMeaning::Passing)
-           : change < 0 ? std::optional(ShareMeaning::CumulativeRetained)
-                        : std::nullopt;
+/// Whether its pan is "< 0.063" or a size of 0: not where grains pass these sizes.
+const SieveRow* find_bound(const SievedSoil& soil) {
+    const auto count = std::ranges::count_if(soil.sieves, &SieveRow::is_bound);
+    return count == 1 && soil.sieves.size() > 1 ? &*std::ranges::find_if(soil.sieves, &SieveRow::is_bound) : nullptr;
+}
+
+Amounts amounts_of(SievedSoil& soil, bool with_bound_as_pan) {
+    const SieveRow* const bound = with_bound_as_pan ? find_bound(soil) : nullptr;
+    Amounts amounts{{}, soil.pan, soil.total, is_weighed_or_counted(soil) ? 0.0 : 1.0};
+    for (const SieveRow* sieve : coarsest_first(soil)) {
+        if (sieve != bound) {
+            amounts.on_sieves.push_back(sieve->amount);
+        }
+    }
+    if (bound != nullptr) {
+        amounts.pan = amounts.pan.value_or(0) + bound->amount;
+    }
+    return amounts;
+}
+
+PossibleMeanings possible_meanings_of(SievedSoil& soil) {
+    PossibleMeanings possible = find_possible_meanings(amounts_of(soil, true));
+    possible.passing = find_possible_meanings(amounts_of(soil, false)).passing;
+    return possible;
+}
+
+/// Why the numbers of a column leave its meaning open, and what to write.
+void complain_about_meaning(const SievedSoil& soil, const PossibleMeanings& possible, Problems& problems) {
+    const std::string of_soil = soil.name.empty() ? "" : soil.name + ": ";
+    const bool is_mass = soil.unit == ShareUnit::Mass;
+    if (soil.meaning == ShareMeaning::Retained) {
+        problems.error(
+            "E506", soil.heading_place, of_soil + "retained: on each sieve alone, or on it and all coarser ones?",
+            "name the column `retained on sieve [%]` or `cumulative retained [%]`, with [g] where masses were weighed"
+        );
+    } else if (possible.adds_up) {
+        problems.error(
+            "E506", soil.heading_place,
+            fmt::format(
+                "{}the numbers fit two readings: {}, because they add up to {}, or {}, because they {} toward the "
+                "finer sieves",
+                of_soil, words_of(ShareMeaning::OnSieve), is_mass ? "the total" : "100 %",
+                words_of(possible.passing ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained),
+                possible.passing ? "fall" : "rise"
+            ),
+            fmt::format(
+                "name the column `retained on sieve [%]` or `{}`",
+                possible.passing ? "passing [%]" : "cumulative retained [%]"
+            )
+        );
+    } else {
+        problems.error(
+            "E506", soil.heading_place,
+            of_soil + "the numbers neither rise nor fall with the size throughout, nor add up to 100 %: which share "
+                      "are they?",
+            "name the column `passing [%]`, `cumulative retained [%]` or `retained on sieve [%]`"
+        );
+    }
 }
 
 bool decide_meaning(SievedSoil& soil, Problems& problems) {
-    const bool is_retained = soil.meaning == ShareMeaning::Retained,
-               is_cumulative = soil.meaning == ShareMeaning::Cumulative;
-    if (!is_retained && !is_cumulative) {
-        return true;
-    }
-    const auto meaning = is_retained ? recognize_retained(soil) : recognize_cumulative(soil);
+    const ShareMeaning named = soil.meaning;
+    const PossibleMeanings possible = possible_meanings_of(soil);
+    const auto meaning = choose_meaning(named, possible);
     if (!meaning) {
-        problems.error(
-            "E506", soil.heading_place,
-            is_retained ? "retained: on each sieve alone, or on it and all coarser ones?"
-                        : "a cumulative share that neither rises nor falls: of the finer or of the coarser grains?",
-            is_retained
-                ? "name the column `retained on sieve [%]` or `cumulative retained [%]`, with [g] where masses were "
-                  "weighed"
-                : "name the column `passing [%]` or `cumulative retained [%]`"
-        );
+        complain_about_meaning(soil, possible, problems);
         return false;
     }
-    const char* const why = *meaning == ShareMeaning::Passing ? "it rises with the size: read as percent passing"
-                            : *meaning == ShareMeaning::CumulativeRetained
-                                ? "read as retained on a sieve and all coarser ones"
-                                : "read as retained on each sieve alone";
     soil.meaning = *meaning;
-    if (is_cumulative && !soil.name.empty() && *meaning == ShareMeaning::Passing) {
-        return true; // one of several columns: reported once for all
+    const bool is_one_of_several = !soil.name.empty() && *meaning == ShareMeaning::Passing; // reported once for all
+    if (named == *meaning || is_one_of_several) {
+        return true;
     }
+    const char* const why = named == ShareMeaning::CumulativeRetained ? "no cumulative share, because the numbers add "
+                                                                        "up to 100 %: "
+                            : *meaning == ShareMeaning::Passing       ? "it rises with the size: "
+                            : *meaning == ShareMeaning::OnSieve && named != ShareMeaning::Retained
+                                ? "the numbers add up to 100 %: "
+                                : "";
     problems.warning(
-        sheet_remark, soil.heading_place, fmt::format("{}{}", soil.name.empty() ? "" : soil.name + ": ", why)
+        sheet_remark, soil.heading_place,
+        fmt::format("{}{}read as {}", soil.name.empty() ? "" : soil.name + ": ", why, words_of(*meaning))
     );
     return true;
+}
+
+/// A row that bounds the grains is the pan of a column of what sieves keep.
+void settle_bound(SievedSoil& soil) {
+    const SieveRow* const bound = soil.meaning == ShareMeaning::Passing ? nullptr : find_bound(soil);
+    if (bound != nullptr) {
+        soil.pan = soil.pan.value_or(0) + bound->amount;
+        soil.sieves.erase(soil.sieves.begin() + (bound - soil.sieves.data()));
+    }
+}
+
+/// Stones at the nodes of a grid: their number is as their volume is in a sieved sample.
+void remark_on_count(const SievedSoil& soil, Problems& problems) {
+    problems.warning(
+        sheet_remark, soil.heading_place,
+        fmt::format("{:.6g} stones are counted: shares of their number are read as shares by mass", sum_of(soil)),
+        "valid for stones picked on a grid (Kellerhals and Bray 1971); if all grains were counted, add --by number"
+    );
 }
 
 /// What the sheet calls its total, next to the sum of what the sieves keep.
@@ -195,6 +237,42 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
     return true;
 }
 
+/// From masses that pass to shares of the total or, without one, of the largest.
+bool divide_by_most(SievedSoil& soil, Problems& problems) {
+    const auto sieves = coarsest_first(soil);
+    const double most = sieves.empty() ? 0 : sieves.front()->amount,
+                 whole = soil.total.value_or(soil.dry.value_or(most));
+    const std::string unit = soil.unit == ShareUnit::Count ? "" : " g";
+    const double scale = unit.empty() ? 1 : 1e3;
+    if (!(whole > 0 && most <= whole)) {
+        problems.error(
+            "E504", soil.end,
+            fmt::format("{:.6g}{} pass of a total of {:.6g}{}", scale * most, unit, scale * whole, unit),
+            "what passes is 0 or more, and never above the total"
+        );
+        return false;
+    }
+    problems.warning(
+        sheet_remark, soil.heading_place,
+        fmt::format(
+            "what passes is read as a share of {} {:.6g}{}", whole > most ? "the total," : "the largest,",
+            scale * whole, unit
+        )
+    );
+    for (SieveRow& sieve : soil.sieves) {
+        sieve.amount /= whole;
+    }
+    return true;
+}
+
+bool divide_by_whole(SievedSoil& soil, Problems& problems) {
+    if (soil.unit == ShareUnit::Count) {
+        soil.pan = soil.pan.value_or(0); // stones that are smaller were not picked
+        remark_on_count(soil, problems);
+    }
+    return soil.meaning == ShareMeaning::Passing ? divide_by_most(soil, problems) : divide_by_total(soil, problems);
+}
+
 /// From what each sieve retains to what it and all coarser ones do.
 void add_up(SievedSoil& soil) {
     double retained = 0;
@@ -206,17 +284,40 @@ void add_up(SievedSoil& soil) {
 
 } // namespace
 
-std::optional<std::vector<GradingPoint>> find_passing(SievedSoil soil, Problems& problems) {
+const char* words_of(ShareMeaning meaning) {
+    return meaning == ShareMeaning::Passing              ? "percent passing"
+           : meaning == ShareMeaning::CumulativeRetained ? "retained on a sieve and all coarser ones"
+                                                         : "retained on each sieve alone";
+}
+
+void agree_on_meaning(std::vector<SievedSoil>& soils) {
+    PossibleMeanings common{true, true, true, true};
+    bool are_unstated = soils.size() > 1;
+    for (SievedSoil& soil : soils) {
+        are_unstated = are_unstated && soil.meaning == ShareMeaning::Unstated;
+        common = in_common(common, possible_meanings_of(soil));
+    }
+    const auto meaning = are_unstated ? choose_meaning(ShareMeaning::Unstated, common) : std::nullopt;
+    if (meaning == ShareMeaning::OnSieve || meaning == ShareMeaning::CumulativeRetained) {
+        for (SievedSoil& soil : soils) {
+            soil.meaning = *meaning == ShareMeaning::OnSieve ? ShareMeaning::Retained : ShareMeaning::Cumulative;
+        }
+    }
+}
+
+std::optional<std::vector<GradingPoint>> find_passing(SievedSoil& soil, Problems& problems) {
     constexpr double rounding = 0.01; // of percentages that should add up to 100
     if (!decide_meaning(soil, problems)) {
         return std::nullopt;
     }
+    settle_bound(soil);
     const bool is_retained = soil.meaning != ShareMeaning::Passing;
-    if (is_retained && soil.unit == ShareUnit::Mass && !divide_by_total(soil, problems)) {
+    if (is_weighed_or_counted(soil) && !divide_by_whole(soil, problems)) {
         return std::nullopt;
     }
+    settle_edges(soil, problems);
     if (soil.meaning == ShareMeaning::OnSieve) {
-        if (soil.unit != ShareUnit::Mass && soil.pan && std::abs(sum_of(soil) - 1) > rounding) {
+        if (!is_weighed_or_counted(soil) && soil.pan && std::abs(sum_of(soil) - 1) > rounding) {
             problems.warning(
                 sheet_remark, soil.end,
                 fmt::format("sieves and pan add up to {:.4g} %: what is missing counts as finer", 100 * sum_of(soil))
@@ -227,10 +328,15 @@ std::optional<std::vector<GradingPoint>> find_passing(SievedSoil soil, Problems&
     std::vector<GradingPoint> points;
     for (const SieveRow& sieve : soil.sieves) {
         double passing = is_retained ? 1 - sieve.amount : sieve.amount;
-        if (soil.meaning == ShareMeaning::OnSieve && passing < 1e-9 && passing > -rounding) {
+        constexpr double printed = 5e-6; // the least that sheets print
+        if (soil.meaning == ShareMeaning::OnSieve && passing < printed && passing > -rounding) {
             passing = 0;
         }
         points.push_back({sieve.diameter, passing, sieve.diameter_place, sieve.amount_place, sieve.has_unit});
+    }
+    close_curve(soil, points);
+    if (soil.is_by_number && !weigh_by_size(soil, points, problems)) {
+        return std::nullopt;
     }
     return points;
 }

@@ -137,17 +137,30 @@ std::vector<DerivedValue> derived_of(const TableNotes& notes, std::size_t column
     return own;
 }
 
+/// "sizes from `Sieve (mm)`, in mm; `Weight (%)`, retained on each sieve alone, in %".
+std::string describe(const SievedSoil& soil) {
+    const char* const unit = soil.unit == ShareUnit::Mass       ? "mass"
+                             : soil.unit == ShareUnit::Count    ? "number"
+                             : soil.unit == ShareUnit::Fraction ? "shares of 1"
+                             : soil.unit == ShareUnit::PerMille ? "\u2030"
+                                                                : "%";
+    return fmt::format(
+        "sizes: {}, in {}; shares: {}, read as {}, in {}", soil.size_heading.empty() ? "no heading" : soil.size_heading,
+        soil.size_unit, soil.heading.empty() ? "no heading" : soil.heading, words_of(soil.meaning), unit
+    );
+}
+
 } // namespace
 
 std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, Problems& problems) {
     std::vector<SoilPoints> found;
     bool is_good = true;
+    agree_on_meaning(soils);
     for (SievedSoil& soil : soils) {
-        std::string name = soil.name;
-        auto points = find_passing(std::move(soil), problems);
+        auto points = find_passing(soil, problems);
         is_good = is_good && points;
         if (points) {
-            found.push_back({std::move(name), std::move(*points), {}});
+            found.push_back({soil.name, std::move(*points), {}, describe(soil)});
         }
     }
     return is_good ? std::optional(std::move(found)) : std::nullopt;

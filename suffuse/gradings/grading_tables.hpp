@@ -17,6 +17,7 @@ struct SoilPoints {
     std::string name;
     std::vector<GradingPoint> points;
     std::vector<DerivedValue> derived;
+    std::string reading; ///< its columns, and as what they were read
 };
 
 /// Of tables whose columns are known. Empty where something is wrong, all of which is reported.

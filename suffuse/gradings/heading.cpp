@@ -81,14 +81,22 @@ std::string cut_unit(std::string_view text, Heading& heading) {
         heading.own_unit = is_unit || within.empty() ? heading.own_unit : within;
         rest.replace(open, close + 1 - open, is_unit ? " " : fmt::format(" {} ", within));
     }
-    const std::size_t cut = trimmed(rest).find_last_of(" _,");
-    if (cut != std::string_view::npos && heading.scale == SizeScale::Unknown) {
-        const std::string whole(trimmed(rest));
+    const std::string whole(trimmed(rest));
+    const SizeScale alone = size_scale_of(whole); // "mm" next to "% passing"
+    if (alone == SizeScale::Millimeters || alone == SizeScale::Micrometers || alone == SizeScale::Centimeters) {
+        heading.scale = alone;
+        return {};
+    }
+    for (const char* marks : {" _,", "/"}) { // "xo/um", but "share g/kg"
+        const std::size_t cut = whole.find_last_of(marks);
+        if (cut == std::string::npos || heading.scale != SizeScale::Unknown || heading.unit != ShareUnit::Unknown) {
+            continue; // "In %"
+        }
         const std::string last(trimmed(std::string_view(whole).substr(cut + 1)));
         const bool is_number_word = last == "No" || last == "no" || last == "No." || last == "Nr" || last == "#";
         const bool is_name = last == "1" || last == "-"; // of a sample: units only in brackets
         if (!is_number_word && !is_name && take_unit(last, heading)) {
-            rest = whole.substr(0, cut);
+            return whole.substr(0, cut);
         }
     }
     return rest;
@@ -123,7 +131,12 @@ Roles read_roles(const std::string& named, Heading& heading) {
 bool take_mass(const Roles& roles, bool weighed, Heading& heading) {
     const bool names_sieve = roles.has(Role::Sieve);
     const bool names_share = roles.has(Role::Passing) || roles.has(Role::Retained) || roles.has(Role::Coarser);
-    if (weighed && names_sieve && roles.has(Role::And) && (roles.has(Role::Soil) || roles.has(Role::Retained))) {
+    if (weighed && !names_share && roles.has(Role::Gross) && !roles.has(Role::Tare)) { // "gross_g"
+        heading.kind = ColumnKind::Gross;
+        return true;
+    }
+    if (weighed && names_sieve && (roles.has(Role::And) || roles.has(Role::Gross)) &&
+        (roles.has(Role::Soil) || roles.has(Role::Retained))) {
         heading.kind = ColumnKind::Gross;
         return true;
     }
@@ -213,9 +226,15 @@ Heading read_heading(std::string_view text) {
     if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown && !has_digit) { // a unit alone
         heading.kind = ColumnKind::Size, heading.is_length_alone = true;
     } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
-        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Cumulative;
-    } else if (heading.kind == ColumnKind::Other && weighed && heading.rest.empty() && !roles.has(Role::Cumulative)) {
-        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Retained, heading.is_bare_mass = true;
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Unstated;
+    } else if (heading.kind == ColumnKind::Other && weighed && heading.rest.empty()) {
+        heading.kind = ColumnKind::Share, heading.is_bare_mass = true;
+        heading.meaning = roles.has(Role::Cumulative) ? ShareMeaning::Cumulative : ShareMeaning::Retained;
+    }
+    if (heading.kind == ColumnKind::Other && roles.has(Role::Count) && heading.unit == ShareUnit::Unknown &&
+        heading.rest.empty()) {
+        heading.kind = ColumnKind::Share, heading.unit = ShareUnit::Count;
+        heading.meaning = roles.has(Role::Cumulative) ? ShareMeaning::Cumulative : ShareMeaning::Retained;
     }
     if (heading.kind == ColumnKind::Share && weighed) {
         heading.unit = ShareUnit::Mass;

@@ -25,9 +25,10 @@ enum class ShareMeaning {
     OnSieve,
     Retained,   ///< on the sieve alone or with all coarser ones: the numbers decide
     Cumulative, ///< finer or coarser: the numbers decide
+    Unstated,   ///< finer, coarser, or on each sieve alone: the numbers decide
 };
 
-enum class ShareUnit { Unknown, Percent, Fraction, Mass };
+enum class ShareUnit { Unknown, Percent, Fraction, PerMille, Mass, Count };
 
 struct Heading {
     ColumnKind kind = ColumnKind::Other;

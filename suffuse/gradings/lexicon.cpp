@@ -52,14 +52,16 @@ constexpr auto roles = std::to_array<Words<Role>>({
     {Role::Percent, "percent,percentage,pct"},
     {Role::Fraction, "fraction,ratio,proportion"},
     {Role::Mass, "mass,weight,wt,g,kg,grams,gram,gr"},
+    {Role::Count, "count,counts,stones,pebbles,anzahl,nombre,conteo"},
     {Role::By, "by"},
     {Role::Tare, "tare,empty"},
-    {Role::And, "plus,and,with,gross"},
+    {Role::And, "plus,and,with"},
+    {Role::Gross, "gross,brutto,brut,bruto,lordo"},
     {Role::Soil, "soil"},
     {Role::Sample, "sample,specimen,borehole,bh,boring,point,pointid,hole,location,test,pit"},
     {Role::Depth, "depth,top,bottom"},
     {Role::Phi, "phi"},
-    {Role::Filler, "name,ref,than,of,the,particle,grain,standard"},
+    {Role::Filler, "name,ref,than,of,the,particle,grain,standard,volume,vol,density,diff,differential,frequency"},
     // French
     {Role::Size, "diametre,ouverture,maille,taille,dimension"},
     {Role::Sieve, "tamis"},
@@ -132,6 +134,7 @@ constexpr auto roles = std::to_array<Words<Role>>({
 constexpr auto share_units = std::to_array<Words<ShareUnit>>({
     {ShareUnit::Percent, "percent,pct"},
     {ShareUnit::Fraction, "-,1,fraction"},
+    {ShareUnit::PerMille, "\u2030,g/kg,permille,promille,per mille"},
     {ShareUnit::Mass, "g,kg,gr,grams,gm,mg"},
 });
 
@@ -177,6 +180,7 @@ constexpr auto topics = std::to_array<Words<Topic>>({
                        ",despues,dopo,humid,humed,umid,feucht,container,tare,tara,dish,moisture,water,sieve ,retained"},
     {Topic::Before, "before"},
     {Topic::Hydrometer, "hydromet,sediment,areomet,araomet,schlamm,densimet,pipett"},
+    {Topic::Units, "in,en,unit,units,unite,unites,einheit,einheiten,unidad,unidades,unita"},
     {Topic::TotalSample, "total ,totale ,gesamt ,whole "},
     {Topic::ResultFiller,
      "coefficient,coeff,coef,coefficiente,of,de,di,d,der,content,percent,percentage,pct,total,size,mm,um,m,value,the,"

@@ -26,9 +26,11 @@ enum class Role {
     Percent,
     Fraction,
     Mass,
+    Count,
     By,
     Tare,
     And,
+    Gross,
     Soil,
     Sample,
     Depth,
@@ -59,6 +61,7 @@ enum class Topic {
     OtherMass, ///< not that of the dry sample
     Before,
     Hydrometer,
+    Units,        ///< what a title says of them
     TotalSample,  ///< "% finer total" next to "% finer -#10"
     ResultFiller, ///< next to the name of a result
 };

@@ -1,7 +1,9 @@
 #include "suffuse/gradings/plain_sizes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,8 @@ class ScaleFinder {
 public:
     ScaleFinder(const Sheet& sheet, const GradingColumns& columns) : sheet_(sheet), columns_(columns) {}
 
+    [[nodiscard]] bool has_plain() const { return plain_ > 0; }
+
     /// Whether some sizes have a unit other than mm and others none, under a heading that does not say.
     [[nodiscard]] bool mixes_units() const {
         return columns_.size.scale == SizeScale::Unknown && plain_ > 0 && foreign_ > 0;
@@ -20,10 +24,18 @@ public:
 
     /// Reads the sizes as numbers of sieves where they only rise and fall as they should that way.
     SizeScale find() {
+        constexpr std::size_t least = 3; // of sizes that show a scale
         const SizeScale named = columns_.size.scale;
         read_cells();
         if (named == SizeScale::SieveNumber) { // "Sieve No." above 4.75, 2.36 ...: those are openings
             return plain_ > 0 && whole_ == 0 ? SizeScale::Millimeters : named;
+        }
+        if (named == SizeScale::Unknown && smallest_ < 0 && are_phi_ && plain_ >= least) { // no grain is below nothing
+            return SizeScale::Phi;
+        }
+        constexpr double widest = 2000, coarse = 60; // [mm] of what anybody sieves; of stones
+        if (named == SizeScale::Unknown && largest_ > widest && smallest_ < coarse) {
+            return SizeScale::Micrometers;
         }
         if (named != SizeScale::Unknown || plain_ == 0 || whole_ != plain_ || numbered_ != plain_) {
             return named;
@@ -44,6 +56,8 @@ private:
             foreign_ += size->notation == SizeNotation::WithUnit && text.find("mm") == std::string::npos ? 1U : 0U;
             if (size->notation == SizeNotation::Plain) {
                 const double number = size->diameter * 1e3;
+                are_phi_ = are_phi_ && std::abs(4 * number - std::round(4 * number)) < 1e-9; // in quarters
+                largest_ = std::max(largest_, number), smallest_ = std::min(smallest_, number);
                 ++plain_;
                 whole_ += text.find_first_of(".,") == std::string::npos ? 1U : 0U;
                 numbered_ += read_sieve_size(text, SizeScale::SieveNumber)->is_on_scale && number > 0 ? 1U : 0U;
@@ -74,6 +88,8 @@ private:
     const GradingColumns& columns_;
     std::vector<std::size_t> rows_;
     std::size_t plain_ = 0, whole_ = 0, numbered_ = 0, foreign_ = 0;
+    bool are_phi_ = true;
+    double largest_ = 0, smallest_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
@@ -81,7 +97,7 @@ private:
 PlainSizes judge_plain_sizes(const Sheet& sheet, const GradingColumns& columns) {
     ScaleFinder finder(sheet, columns);
     const SizeScale scale = finder.find();
-    return {scale, finder.mixes_units()};
+    return {scale, finder.has_plain(), finder.mixes_units()};
 }
 
 } // namespace suffuse::gradings

@@ -7,6 +7,7 @@ namespace suffuse::gradings {
 
 struct PlainSizes {
     SizeScale scale = SizeScale::Unknown;
+    bool has_plain = false; ///< sizes without a unit
     bool mix_units = false; ///< some sizes have a unit other than mm and others none, under a heading that does not say
 };
 

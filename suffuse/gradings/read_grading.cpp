@@ -1,10 +1,13 @@
 #include "suffuse/gradings/read_grading.hpp"
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/ags_grading.hpp"
 #include "suffuse/gradings/align_rows.hpp"
 #include "suffuse/gradings/grading_tables.hpp"
+#include "suffuse/gradings/named_columns.hpp"
+#include "suffuse/gradings/reading_guess.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_text.hpp"
 
@@ -24,7 +27,49 @@ struct Reading {
     Problems problems;
 };
 
-Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
+/// Keeps the specified table. @return whether there is one
+bool restrict_to(const ReadingOptions& options, Reading& reading, std::vector<SheetTable>& tables) {
+    if (!options.sheet) {
+        return true;
+    }
+    const auto number = static_cast<std::size_t>(*options.sheet);
+    if (number < 1 || number > tables.size()) {
+        reading.problems.error(
+            "E506", reading.sheet.rows.front().place,
+            fmt::format("sheet {}: the file has {} {}", number, tables.size(), tables.size() == 1 ? "table" : "tables"),
+            "count the tables from 1"
+        );
+        return false;
+    }
+    SheetTable chosen = std::move(tables[number - 1]);
+    tables.clear();
+    tables.push_back(std::move(chosen));
+    return true;
+}
+
+/// The sheet of columns that the user names: of the file, or of one of its tables.
+void take_named_columns(const ReadingOptions& options, Reading& reading) {
+    std::vector<SheetTable> tables(1);
+    if (options.sheet) {
+        Problems unheard;
+        tables = cut_tables(reading.sheet, unheard);
+    }
+    if (!restrict_to(options, reading, tables)) {
+        return;
+    }
+    const Sheet& sheet = options.sheet ? tables.front().sheet : reading.sheet;
+    if (auto table = read_named_columns(sheet, options, reading.problems)) {
+        reading.tables.push_back(std::move(*table));
+    }
+}
+
+void mark_by_number(const ReadingOptions& options, Reading& reading) {
+    for (SheetTable& table : reading.tables) {
+        table.columns->is_by_number = options.by == "number";
+    }
+}
+
+Reading try_mark(const std::shared_ptr<const Source>& source, char mark, const ReadingOptions& options) {
     Reading reading{split_sheet(source, mark), {}, {}};
     if (mark == wide_blanks) {
         align_rows(reading.sheet);
@@ -33,20 +78,34 @@ Reading try_mark(const std::shared_ptr<const Source>& source, char mark) {
             return reading;
         }
     }
+    if (const auto lines = split_lines(options.rows); lines && !options.name_columns()) {
+        std::erase_if(reading.sheet.rows, [&lines](const SheetRow& row) {
+            return row.place.line < lines->first || row.place.line > lines->second;
+        });
+    }
     if (reading.sheet.rows.empty() || is_too_wide(reading.sheet, reading.problems)) {
         return reading;
     }
+    if (options.name_columns()) {
+        take_named_columns(options, reading);
+        mark_by_number(options, reading);
+        return reading;
+    }
     auto tables = cut_tables(reading.sheet, reading.problems);
-    bool have_columns = true;
+    bool have_columns = restrict_to(options, reading, tables);
     for (SheetTable& table : tables) {
         if (!table.columns) {
             table.columns = find_grading_columns(table.sheet, reading.problems);
         }
         have_columns = have_columns && table.columns;
+        if (table.columns) {
+            table.columns->stated_unit = table.size_unit;
+        }
     }
     if (have_columns && !reading.problems.has_errors()) {
         reading.tables = std::move(tables);
     }
+    mark_by_number(options, reading);
     return reading;
 }
 
@@ -57,12 +116,33 @@ bool is_cut_by_tabs(const Reading& reading) {
     return reading.sheet.mark == '\t' && 2 * cut > static_cast<std::ptrdiff_t>(rows.size());
 }
 
+bool holds_two_numbers(const SheetCell& cell) {
+    const std::string& text = cell.text;
+    const std::size_t blank = text.find(' ');
+    return blank != std::string::npos && plain_number(text.substr(0, blank), true) &&
+           plain_number(text.substr(blank + 1), true);
+}
+
+/// Whether the mark cuts each line below headings that it cuts, too: then the text has no other columns, and what is
+/// wrong is wrong between these.
+bool is_cut_throughout(const Reading& reading) {
+    const auto& rows = reading.sheet.rows;
+    const auto first = std::ranges::find_if(rows, [](const SheetRow& row) { return !row.is_comment; });
+    const bool is_headed =
+        first != rows.end() && first->cells.size() > 1 && std::ranges::none_of(first->cells, [](const SheetCell& cell) {
+            return plain_number(cell.text, true).has_value();
+        });
+    return is_headed && reading.sheet.mark != wide_blanks && std::all_of(first, rows.end(), [](const SheetRow& row) {
+               return row.is_comment || (row.cells.size() > 1 && std::ranges::none_of(row.cells, holds_two_numbers));
+           });
+}
+
 /// Of the marks that the text has the first between which columns are found; else the first that cuts its lines.
-Reading choose_mark(const std::shared_ptr<const Source>& source) {
+Reading choose_mark(const std::shared_ptr<const Source>& source, const ReadingOptions& options) {
     std::optional<Reading> first;
     for (const char mark : possible_marks(source->text)) {
-        Reading reading = try_mark(source, mark);
-        if (!reading.tables.empty() || is_cut_by_tabs(reading)) {
+        Reading reading = try_mark(source, mark, options);
+        if (!reading.tables.empty() || is_cut_by_tabs(reading) || is_cut_throughout(reading)) {
             return reading;
         }
         if (!first && mark != wide_blanks) {
@@ -72,8 +152,20 @@ Reading choose_mark(const std::shared_ptr<const Source>& source) {
     return std::move(*first);
 }
 
-std::optional<std::vector<SoilPoints>> read_sheet(const std::shared_ptr<const Source>& source, Problems& problems) {
-    Reading reading = choose_mark(source);
+std::optional<std::vector<SoilPoints>>
+read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& options, Problems& problems) {
+    if (!options.rows.empty() && !split_lines(options.rows)) {
+        problems.error(
+            "E506", {source, 0, 0, 1}, fmt::format("rows: `{}` are no lines", options.rows),
+            "the first and the last line: --rows 5-12"
+        );
+        return std::nullopt;
+    }
+    if (!options.by.empty() && options.by != "mass" && options.by != "number") {
+        problems.error("E506", {source, 0, 0, 1}, fmt::format("by: `{}`", options.by), "by mass or by number");
+        return std::nullopt;
+    }
+    Reading reading = choose_mark(source, options);
     const bool has_values =
         std::ranges::any_of(reading.sheet.rows, [](const SheetRow& row) { return !row.is_comment; });
     if (!has_values) {
@@ -126,25 +218,23 @@ NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& s
     );
 }
 
-} // namespace
-
-std::vector<NamedGrading>
-parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends) {
-    const auto text = decode_sheet(source, problems);
-    if (!text) {
-        return {};
-    }
-    auto soils = looks_like_ags(text->text) ? read_ags_soils(text, problems) : read_sheet(text, problems);
+/// All curves of a decoded text.
+std::vector<NamedGrading> parse_text(
+    const std::shared_ptr<const Source>& text, const std::string& origin, CurveEnds ends, const ReadingOptions& options,
+    Problems& problems
+) {
+    const bool is_ags = options.is_empty() && looks_like_ags(text->text);
+    auto soils = is_ags ? read_ags_soils(text, problems) : read_sheet(text, options, problems);
     std::vector<NamedGrading> gradings;
     bool is_good = soils.has_value();
     const std::size_t count = soils ? soils->size() : 0;
     for (SoilPoints& soil : soils ? *soils : std::vector<SoilPoints>{}) {
         const std::string name = count > 1 ? soil.name : "";
-        auto grading = make_grading(std::move(soil.points), source->name, {text, 0, 0, 1}, problems, ends);
+        auto grading = make_grading(std::move(soil.points), origin, {text, 0, 0, 1}, problems, ends);
         is_good = is_good && grading;
         if (grading) {
             check_derived(soil.derived, *grading, name, problems);
-            gradings.push_back({name, std::move(*grading)});
+            gradings.push_back({name, std::move(*grading), soil.reading});
         }
     }
     if (is_good && gradings.empty()) {
@@ -156,9 +246,58 @@ parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, 
     return is_good ? gradings : std::vector<NamedGrading>{};
 }
 
-std::optional<grains::Grading>
-parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends) {
-    auto soils = parse_gradings(source, problems, ends);
+/// The options that read a text that could not be read without: those of the likeliest columns, and what else fits
+/// them.
+std::string find_command(const std::shared_ptr<const Source>& text, CurveEnds ends) {
+    constexpr std::size_t most_bytes = 1U << 18U; // it is read again for each guess
+    std::string command;
+    if (text->text.size() > most_bytes) {
+        return command;
+    }
+    std::string size, share;
+    for (const char mark : possible_marks(text->text)) {
+        for (const ReadingOptions& guess : guess_readings(split_sheet(text, mark))) {
+            const std::string own = guess.share + guess.passing + guess.retained + guess.mass;
+            Problems unheard;
+            const bool is_other = !command.empty() && (guess.size != size || own != share);
+            if (!is_other && !parse_text(text, text->name, ends, guess, unheard).empty()) {
+                command += fmt::format(
+                    "{}{}", command.empty() ? "" : " or ",
+                    command.empty() ? fmt::format("suffuse assess {} {}", shell_word(text->name), command_words(guess))
+                                    : command_words(guess)
+                );
+                size = guess.size, share = own;
+            }
+        }
+        if (!command.empty()) {
+            return command;
+        }
+    }
+    return command;
+}
+
+} // namespace
+
+std::vector<NamedGrading> parse_gradings(
+    const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends, const ReadingOptions& options
+) {
+    Problems own;
+    std::vector<NamedGrading> gradings;
+    if (const auto text = decode_sheet(source, own)) {
+        gradings = parse_text(text, source->name, ends, options, own);
+        if (gradings.empty() && options.is_empty()) {
+            const std::string command = find_command(text, ends);
+            command.empty() ? void() : own.advise("or say how to read it: " + command);
+        }
+    }
+    problems.take_over(own);
+    return gradings;
+}
+
+std::optional<grains::Grading> parse_grading(
+    const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends, const ReadingOptions& options
+) {
+    auto soils = parse_gradings(source, problems, ends, options);
     if (soils.size() > 1) {
         problems.error(
             "E509", {source, 0, 0, 1},
@@ -172,9 +311,13 @@ parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, C
     return soils.empty() ? std::nullopt : std::optional(std::move(soils.front().grading));
 }
 
-GradingFile read_gradings(const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample) {
+GradingFile read_gradings(
+    const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample,
+    const ReadingOptions& options
+) {
     Problems problems;
-    GradingFile file{parse_gradings(source, problems, ends), problems.sorted()};
+    auto soils = parse_gradings(source, problems, ends, options);
+    GradingFile file{std::move(soils), problems.sorted()};
     if (problems.has_errors()) {
         throw CaseProblems(std::move(file.remarks));
     }
@@ -184,9 +327,10 @@ GradingFile read_gradings(const std::shared_ptr<const Source>& source, CurveEnds
     return file;
 }
 
-grains::Grading read_grading(const std::string& path, CurveEnds ends) {
+grains::Grading read_grading(const std::string& path, CurveEnds ends, const ReadingOptions& options) {
     Problems problems;
-    const auto grading = parse_grading(std::make_shared<Source>(Source{path, read_whole_file(path)}), problems, ends);
+    const auto source = std::make_shared<Source>(Source{path, read_whole_file(path)});
+    const auto grading = parse_grading(source, problems, ends, options);
     if (!grading) {
         throw CaseProblems(problems.sorted());
     }

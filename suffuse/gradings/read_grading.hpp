@@ -6,6 +6,7 @@
 // could mean two things is refused.
 
 #include "suffuse/gradings/grading_curve.hpp"
+#include "suffuse/gradings/reading_options.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <memory>
@@ -18,15 +19,21 @@ namespace suffuse::gradings {
 struct NamedGrading {
     std::string name; ///< of the sample; empty where the file has one alone
     grains::Grading grading;
+    std::string reading; ///< which columns it came from, and as what they were read
 };
 
-/// All curves of a text; empty where something is wrong, all of which is reported. Remarks are warnings.
-std::vector<NamedGrading>
-parse_gradings(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed);
+/// All curves of a text; empty where something is wrong, all of which is reported. Remarks are warnings. The first
+/// error has the options that read the text, where some do.
+std::vector<NamedGrading> parse_gradings(
+    const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed,
+    const ReadingOptions& options = {}
+);
 
 /// The one curve of a text; several are an error that names them.
-std::optional<grains::Grading>
-parse_grading(const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed);
+std::optional<grains::Grading> parse_grading(
+    const std::shared_ptr<const Source>& source, Problems& problems, CurveEnds ends = CurveEnds::Closed,
+    const ReadingOptions& options = {}
+);
 
 /// The curves of a file and how it was understood.
 struct GradingFile {
@@ -36,9 +43,13 @@ struct GradingFile {
 
 /// Reads a file; of several samples that named `sample`, or all. Throws CaseProblems, or IoError where it cannot be
 /// read.
-GradingFile read_gradings(const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample = {});
+GradingFile read_gradings(
+    const std::shared_ptr<const Source>& source, CurveEnds ends, const std::string& sample = {},
+    const ReadingOptions& options = {}
+);
 
 /// Reads a file that holds one curve. Throws as read_gradings().
-grains::Grading read_grading(const std::string& path, CurveEnds ends = CurveEnds::Closed);
+grains::Grading
+read_grading(const std::string& path, CurveEnds ends = CurveEnds::Closed, const ReadingOptions& options = {});
 
 } // namespace suffuse::gradings

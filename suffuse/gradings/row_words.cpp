@@ -41,15 +41,19 @@ SizeText finer_of(const Bound& first, const Bound& second) {
     const Bound &finer = first.number < second.number ? first : second,
                 &coarser = first.number < second.number ? second : first;
     const bool is_pan = finer.number == 0;
-    return {
-        fmt::format("{}{}{}", is_pan ? coarser.digits : finer.digits, unit.empty() ? "" : " ", unit),
-        is_pan ? SizeSense::Finer : SizeSense::Class};
+    const auto with_unit = [&unit](std::string_view digits) {
+        return fmt::format("{}{}{}", digits, unit.empty() ? "" : " ", unit);
+    };
+    return is_pan ? SizeText{with_unit(coarser.digits), SizeSense::Finer, {}}
+                  : SizeText{with_unit(finer.digits), SizeSense::Class, with_unit(coarser.digits)};
 }
 
 /// 2 mm - 850 um: the units say which is the finer one.
 SizeText finer_by_unit(std::string_view first, std::string_view second) {
     const auto a = read_sieve_size(first, SizeScale::Unknown), b = read_sieve_size(second, SizeScale::Unknown);
-    return {std::string(trimmed(a && b && a->diameter < b->diameter ? first : second)), SizeSense::Class};
+    const bool rises = a && b && a->diameter < b->diameter;
+    return {
+        std::string(trimmed(rises ? first : second)), SizeSense::Class, std::string(trimmed(rises ? second : first))};
 }
 
 /// "63 - 31.5", "2 to 0.85 mm": the finer bound with its unit.
@@ -101,19 +105,19 @@ SizeText split_size_text(std::string_view text) {
     for (const SizePrefix& prefix : size_prefixes()) {
         if (small.starts_with(prefix.text)) {
             const std::size_t skipped = prefix.text.ends_with('#') ? prefix.text.size() - 1 : prefix.text.size();
-            return {std::string(trimmed(text.substr(skipped))), prefix.sense};
+            return {std::string(trimmed(text.substr(skipped))), prefix.sense, {}};
         }
     }
     constexpr double least_number = 20; // "-200" is what passes No. 200; phi does not go as low
     if (text.starts_with('-') && plain_number(text.substr(1), true).value_or(0) > least_number) {
-        return {std::string(trimmed(text.substr(1))), SizeSense::Finer};
+        return {std::string(trimmed(text.substr(1))), SizeSense::Finer, {}};
     }
     if (text.find('/') == std::string_view::npos && !text.empty() && (is_digit(text[0]) || text[0] == '.')) {
         if (auto found = split_class(text)) {
             return *found;
         }
     }
-    return {std::string(text), SizeSense::At};
+    return {std::string(text), SizeSense::At, {}};
 }
 
 } // namespace suffuse::gradings

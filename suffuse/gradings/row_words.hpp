@@ -24,6 +24,7 @@ enum class SizeSense {
 struct SizeText {
     std::string text; ///< of the size alone
     SizeSense sense = SizeSense::At;
+    std::string upper = {}; ///< of a class, its coarser bound
 };
 
 SizeText split_size_text(std::string_view text);

@@ -72,9 +72,13 @@ private:
     }
 
     [[nodiscard]] bool is_sieve(const SheetRow& row) const {
-        const bool has_size = std::ranges::any_of(sizes_, [&](std::size_t k) {
+        const auto may_be_size = [&](std::size_t k) {
             return is_size(sheet_, row, k) || read_row_word(text_at(row, k)) != RowWord::None;
-        });
+        };
+        const bool has_size = std::ranges::any_of(sizes_, may_be_size) &&
+                              std::ranges::all_of(sizes_, [&](std::size_t k) { // "Gs,2.70" is none
+                                  return may_be_size(k) || is_blank(text_at(row, k));
+                              });
         const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
         const bool has_word = first != row.cells.end() && read_row_word(first->text) != RowWord::None;
         const bool has_none = std::ranges::all_of(sizes_, [&](std::size_t k) { return is_blank(text_at(row, k)); });
@@ -320,7 +324,7 @@ std::vector<SheetTable> split_side_by_side(SheetTable table, Problems& problems)
 } // namespace
 
 std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
-    if (auto turned = turn_table(sheet, problems)) {
+    if (auto turned = turn_table(sheet, problems)) { // with the unit that its titles state
         std::vector<SheetTable> tables;
         tables.push_back(std::move(*turned));
         return tables;
@@ -333,10 +337,13 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
     }
     std::vector<SheetTable> tables;
     std::size_t first = 0;
+    StatedUnit unit;
     for (std::size_t k = 0; k < headers.size(); ++k) {
+        unit = find_size_unit(sheet, first, headers[k], unit);
         const std::size_t end =
             k + 1 < headers.size() ? std::max(first_title(sheet, headers[k + 1]), headers[k] + 1) : sheet.rows.size();
         for (SheetTable& part : split_side_by_side(TableCutter(sheet, first, headers[k], end).cut(), problems)) {
+            part.size_unit = unit;
             tables.push_back(std::move(part));
         }
         first = end;

@@ -25,6 +25,7 @@ struct SheetTable {
     std::string name;           ///< of its sample, from a title; may be empty
     bool is_hydrometer = false; ///< a title says so: it goes on where sieves end
     std::optional<double> dry;  ///< mass of the whole sample by a title [kg]
+    StatedUnit size_unit = {};  ///< by a title or a comment
 };
 
 /// At least one. The sheet must outlive what is returned.

@@ -1,7 +1,7 @@
 #pragma once
 // What titles around a table say: of which sample it is, the dry mass of that, and whether a hydrometer measured it.
 
-#include "suffuse/gradings/sheet.hpp"
+#include "suffuse/gradings/grading_columns.hpp"
 
 #include <optional>
 #include <string>
@@ -17,6 +17,9 @@ std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row);
 
 /// The dry mass that the rows agree on; empty where they state none, or several.
 std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows);
+
+/// "Sizes in um", "Grain size: mm": the last one that the rows from `begin` to before `end` give, else the one before.
+StatedUnit find_size_unit(const Sheet& sheet, std::size_t begin, std::size_t end, const StatedUnit& before = {});
 
 /// "Sedimentation", "HYDROMETER (mm)".
 bool names_hydrometer(const SheetRow& row);

@@ -59,7 +59,7 @@ TEST_P(Sheets, GivesWhatItsExpectedFileStates) {
         parse_sheet(all_bytes(sheets_folder() / GetParam()), fs::path(GetParam()).filename().string());
     const std::string messages = render(parsed.remarks) + "\n" + messages_of(parsed);
     for (const auto& [key, value] : expected.items()) {
-        EXPECT_TRUE(std::set<std::string>({"soils", "remarks", "refused", "tolerance"}).contains(key)) << key;
+        EXPECT_TRUE(std::set<std::string>({"soils", "remarks", "refused", "tolerance", "with"}).contains(key)) << key;
     }
 
     SheetTolerance tolerance;
@@ -77,6 +77,26 @@ TEST_P(Sheets, GivesWhatItsExpectedFileStates) {
     }
     if (expected.contains("remarks") && expected["remarks"].empty()) {
         EXPECT_EQ(messages.find("W508"), std::string::npos) << messages;
+    }
+    if (expected.contains("with")) {
+        const nlohmann::json& with = expected["with"];
+        const nlohmann::json& words = with.at("options");
+        ReadingOptions options;
+        options.size = words.at("size");
+        for (const auto& [key, member] :
+             {std::pair{"passing", &ReadingOptions::passing},
+              {"retained", &ReadingOptions::retained},
+              {"share", &ReadingOptions::share},
+              {"mass", &ReadingOptions::mass},
+              {"rows", &ReadingOptions::rows}}) {
+            options.*member = words.value(key, "");
+        }
+        const ParsedSheet named = parse_sheet(all_bytes(sheets_folder() / GetParam()), "sheet.csv", options);
+        ASSERT_EQ(named.soils.size(), with.at("soils").size()) << render(named.remarks);
+        for (std::size_t k = 0; k < named.soils.size(); ++k) {
+            const nlohmann::json& soil = with["soils"][k];
+            expect_soil({soil.at("name"), soil.at("curve")}, named.soils[k], GetParam(), tolerance);
+        }
     }
     std::vector<Diagnostic> errors;
     std::ranges::copy_if(parsed.remarks, std::back_inserter(errors), [](const Diagnostic& d) { return !d.is_warning; });

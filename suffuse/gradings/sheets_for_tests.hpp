@@ -23,10 +23,12 @@ struct ParsedSheet {
     std::vector<Diagnostic> remarks;
 };
 
-inline ParsedSheet parse_sheet(const std::string& text, const std::string& file = "sheet.csv") {
+inline ParsedSheet
+parse_sheet(const std::string& text, const std::string& file = "sheet.csv", const ReadingOptions& options = {}) {
     Problems problems;
     ParsedSheet parsed;
-    parsed.soils = parse_gradings(std::make_shared<Source>(Source{file, text}), problems, CurveEnds::MayBeOpen);
+    const auto source = std::make_shared<Source>(Source{file, text});
+    parsed.soils = parse_gradings(source, problems, CurveEnds::MayBeOpen, options);
     parsed.remarks = problems.sorted();
     return parsed;
 }

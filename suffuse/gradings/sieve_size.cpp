@@ -226,6 +226,19 @@ SizeScale size_scale_of(std::string_view unit) {
     return size_scale_named(plain);
 }
 
+const char* scale_name(SizeScale scale) {
+    switch (scale) {
+    case SizeScale::Inches:
+        return "in";
+    case SizeScale::SieveNumber:
+        return "no";
+    case SizeScale::Phi:
+        return "phi";
+    default:
+        return unit_of(scale);
+    }
+}
+
 std::optional<SieveSize> read_sieve_size(std::string_view text, SizeScale scale, bool comma) {
     const std::string plain = in_plain_signs(text);
     std::string_view rest = plain;

@@ -35,6 +35,9 @@ std::optional<double> sieve_opening(double number);
 /// What a unit that stands in a heading means: "mm", "µm", "microns", "inches", "phi", "No."; Unknown where it is none.
 SizeScale size_scale_of(std::string_view unit);
 
+/// "um", as commands and reports name a scale; mm where it is not known.
+const char* scale_name(SizeScale scale);
+
 /// A number with a decimal point or, where `comma` allows, a decimal comma. Nothing else may stand next to it.
 std::optional<double> plain_number(std::string_view text, bool comma);
 

@@ -129,8 +129,10 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
         );
     }
     const bool has_unit = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
+    const auto upper = read_sieve_size(split.upper, columns_.size.scale, comma);
     return CellSize{
-        size->diameter, has_unit, columns_.size.scale == SizeScale::Phi ? turned(split.sense) : split.sense};
+        size->diameter, has_unit, columns_.size.scale == SizeScale::Phi ? turned(split.sense) : split.sense,
+        upper ? upper->diameter : 0};
 }
 
 /// A decimal comma where commas separate, or together with decimal points.
@@ -178,16 +180,20 @@ std::optional<double> TableCells::read_value(const SheetRow& row, std::size_t co
         }
     }
     const char* const own = unit == ShareUnit::Percent ? "%" : unit == ShareUnit::Mass ? share.mass_unit : "1";
+    const double part = unit == ShareUnit::PerMille ? 1e-3 : 1;
     const Dimension dimension = unit == ShareUnit::Mass ? dimension::mass : dimension::none;
-    const std::string advice =
-        fmt::format("write a plain number; it is read in {}", unit == ShareUnit::Fraction ? "shares of 1" : own);
+    const std::string advice = fmt::format(
+        "write a plain number; it is read in {}", unit == ShareUnit::Fraction   ? "shares of 1"
+                                                  : unit == ShareUnit::PerMille ? "\u2030"
+                                                                                : own
+    );
     try {
         const bool has_unit = parse_quantity(text).has_unit;
-        if (has_unit && unit == ShareUnit::Fraction) {
+        if (has_unit && (unit == ShareUnit::Fraction || unit == ShareUnit::PerMille)) {
             complain(place_at(row, column), fmt::format("\"{}\" has its own unit", text), advice);
             return std::nullopt;
         }
-        return parse_quantity(has_unit ? text : fmt::format("{} {}", text, own), dimension);
+        return part * parse_quantity(has_unit ? text : fmt::format("{} {}", text, own), dimension);
     } catch (const UnitError& problem) {
         const std::string what = text.empty() ? "a value is missing" : problem.what();
         const bool is_no_number = !text.empty() && problem.kind == UnitError::Kind::NoNumber;

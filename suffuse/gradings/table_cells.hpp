@@ -15,6 +15,7 @@ struct CellSize {
     double diameter = 0; ///< [m]
     bool has_unit = false;
     SizeSense sense = SizeSense::At;
+    double upper = 0; ///< of a class, its coarser bound [m]
 };
 
 class TableCells {

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
+#include "suffuse/gradings/sheet_titles.hpp"
 #include "suffuse/gradings/size_among_words.hpp"
 
 #include <fmt/format.h>
@@ -28,6 +29,12 @@ std::string size_in_heading(std::string_view text, bool may_be_plain) {
         return std::string(trimmed(text));
     }
     return size_among_words(text);
+}
+
+/// Whether a heading says which share it holds.
+bool is_stated(const Heading& heading) {
+    return heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative &&
+           heading.meaning != ShareMeaning::Unstated;
 }
 
 /// "(um)", "[mm]": without the brackets.
@@ -160,21 +167,20 @@ private:
     [[nodiscard]] Heading find_meaning() const {
         const SheetRow& sieves = sheet_.rows[across_.row];
         Heading heading = read_heading(sieves.cells[across_.columns.front()].text);
-        if (heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative) {
+        if (is_stated(heading)) {
             heading.scale = SizeScale::Unknown;
             return heading;
         }
         for (std::size_t k = 0; k <= across_.row; ++k) {
             for (const SheetCell& cell : sheet_.rows[k].cells) {
                 heading = read_heading(cell.text);
-                const bool is_stated = heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative;
-                if (is_stated && heading.unit != ShareUnit::Unknown && !read_derived_name(cell.text)) {
+                if (is_stated(heading) && heading.unit != ShareUnit::Unknown && !read_derived_name(cell.text)) {
                     return heading;
                 }
             }
         }
         Heading unknown;
-        unknown.kind = ColumnKind::Share, unknown.meaning = ShareMeaning::Cumulative;
+        unknown.kind = ColumnKind::Share, unknown.meaning = ShareMeaning::Unstated;
         return unknown;
     }
 
@@ -277,13 +283,7 @@ private:
             const Heading& heading = own == named.end() ? meaning : own->second;
             const std::string name = own == named.end() ? name_of(*row, keys) : heading.rest;
             columns.shares.push_back(
-                {first.cells.size(),
-                 {},
-                 name,
-                 heading.meaning,
-                 heading.unit,
-                 heading.meaning != ShareMeaning::Cumulative,
-                 heading.mass_unit}
+                {first.cells.size(), {}, name, heading.meaning, heading.unit, is_stated(heading), heading.mass_unit}
             );
             first.cells.push_back({name, row->place, false});
             taken.push_back(row);
@@ -307,6 +307,7 @@ private:
         }
         table.notes.others.insert(table.notes.others.end(), others_.begin(), others_.end());
         table.columns = std::move(columns);
+        table.size_unit = find_size_unit(sheet_, 0, across_.row + 1);
         remark(taken.size(), keys);
         return table;
     }

@@ -1,11 +1,11 @@
 #include "suffuse/gradings/unnamed_columns.hpp"
 
+#include "suffuse/gradings/column_content.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
-#include <utility>
-#include <vector>
 
 namespace suffuse::gradings {
 
@@ -35,6 +35,7 @@ public:
             return std::nullopt;
         }
         found_.size = {first ? 0U : 1U, SizeScale::Unknown};
+        found_.is_headed = false;
         found_.shares.push_back({first ? 1U : 0U, {}, "", ShareMeaning::Cumulative, ShareUnit::Unknown, false});
         for (std::size_t k = 0; k < found_.first_row; ++k) {
             if (!sheet_.rows[k].is_comment) {
@@ -86,8 +87,9 @@ private:
             sizes.insert(d->diameter), most = std::max(most, *value), ++rows;
         }
         const bool ends_full = (most >= 90 && most <= 100.1) || (most >= 0.9 && most <= 1.001);
-        return rows > 1 && sizes.size() == rows && ends_full &&
-               is_cumulative(sheet_, found_.first_row, found_.size, share);
+        const auto amounts = amounts_in(sheet_, found_.first_row, found_.size, share);
+        const auto possible = find_possible_meanings(amounts.value_or(Amounts{}));
+        return rows > 1 && sizes.size() == rows && ends_full && (possible.passing || possible.cumulative_retained);
     }
 
     void complain_about_header(bool are_two_columns) {
@@ -106,38 +108,6 @@ private:
 };
 
 } // namespace
-
-bool is_cumulative(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t share) {
-    std::vector<std::pair<double, double>> points;
-    const bool has_pan = std::ranges::count_if(sheet.rows, [&size](const SheetRow& row) {
-                             return split_size_text(text_at(row, size.index)).sense == SizeSense::Finer;
-                         }) == 1;
-    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
-        const SheetRow& row = sheet.rows[k];
-        if (row.is_comment || is_blank(text_at(row, share)) ||
-            read_row_word(text_at(row, size.index)) != RowWord::None) {
-            continue;
-        }
-        const SizeText text = split_size_text(text_at(row, size.index));
-        if (has_pan && text.sense == SizeSense::Finer) {
-            continue;
-        }
-        const auto d = read_sieve_size(text.text, size.scale, commas_are_decimal(sheet));
-        const auto value = number_at(sheet, row, share);
-        if (!d || !value || !(*value >= 0 && *value <= 100.5)) {
-            return false;
-        }
-        points.emplace_back(d->diameter, *value);
-    }
-    if (size.scale != SizeScale::SieveNumber) {
-        std::ranges::stable_sort(points, {}, &std::pair<double, double>::first);
-    }
-    const auto falls = [](const auto& a, const auto& b) { return b.second < a.second - 0.1; };
-    const auto rises = [](const auto& a, const auto& b) { return b.second > a.second + 0.1; };
-    const bool never_falls = std::ranges::adjacent_find(points, falls) == points.end();
-    const bool never_rises = std::ranges::adjacent_find(points, rises) == points.end();
-    return points.size() > 1 && never_falls != never_rises;
-}
 
 std::optional<GradingColumns> find_unnamed_columns(const Sheet& sheet, Problems& problems) {
     return UnnamedColumns(sheet, problems).find();

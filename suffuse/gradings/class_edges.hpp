@@ -1,0 +1,21 @@
+#pragma once
+// Shares of classes between edges, of which there is one more: sizes without a share show on which side of its size
+// each share lies, and which size all grains pass.
+
+#include "suffuse/gradings/grading_curve.hpp"
+#include "suffuse/gradings/grading_rows.hpp"
+
+#include <vector>
+
+namespace suffuse::gradings {
+
+std::vector<SieveRow*> coarsest_first(SievedSoil& soil);
+
+/// Without a share at the finest edge each share lies below its own size: it then goes to the next finer size. Without
+/// one at the coarsest edge all grains pass that. Other sizes without a value are skipped; all is reported.
+void settle_edges(SievedSoil& soil, Problems& problems);
+
+/// Adds the coarser bound of the coarsest class, which all grains pass.
+void close_curve(SievedSoil& soil, std::vector<GradingPoint>& points);
+
+} // namespace suffuse::gradings

@@ -1,0 +1,154 @@
+#include "suffuse/gradings/column_content.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <utility>
+
+namespace suffuse::gradings {
+
+namespace {
+
+constexpr double sieving_loss = 0.01;    // of the whole: ASTM D6913 allows this loss in sieving
+constexpr double digitizing_step = 1e-3; // of the whole: of a digitized curve
+
+double whole_of(const std::vector<std::pair<double, double>>& points) {
+    constexpr double rounding = 1e-7;
+    const bool are_percents =
+        std::ranges::any_of(points, [](const auto& point) { return point.second > 1 + rounding; });
+    return are_percents ? 100 : 1;
+}
+
+/// Of masses: a pan below the last cumulative mass is no cumulative one.
+PossibleMeanings of_masses(const Amounts& amounts, double sum, bool rises, bool falls) {
+    PossibleMeanings possible;
+    const double last = amounts.on_sieves.empty() ? 0 : amounts.on_sieves.back();
+    possible.adds_up = amounts.total && std::abs(sum - *amounts.total) <= sieving_loss * *amounts.total;
+    possible.on_sieve = true;
+    possible.cumulative_retained = rises && !(amounts.pan && *amounts.pan < last);
+    possible.passing = falls && amounts.pan.value_or(0) == 0;
+    return possible;
+}
+
+} // namespace
+
+PossibleMeanings find_possible_meanings(const Amounts& amounts) {
+    const std::vector<double>& values = amounts.on_sieves;
+    const double sum = std::accumulate(values.begin(), values.end(), amounts.pan.value_or(0));
+    const double whole = amounts.whole, step = digitizing_step * whole;
+    const auto drops = [step](double coarse, double fine) { return fine < coarse - step; };
+    const auto climbs = [step](double coarse, double fine) { return fine > coarse + step; };
+    const bool is_level = values.empty() || std::ranges::max(values) - std::ranges::min(values) <= step;
+    const bool rises = !is_level && std::ranges::adjacent_find(values, drops) == values.end(); // towards fine sieves
+    const bool falls = !is_level && std::ranges::adjacent_find(values, climbs) == values.end();
+    if (whole == 0) {
+        return of_masses(amounts, sum, rises, falls);
+    }
+    constexpr double most = 1.005;      // of percents that were rounded
+    constexpr std::ptrdiff_t least = 3; // shares that add up to 100 by chance are few
+    const auto is_near = [whole](double value, double expected) {
+        return std::abs(value - expected) <= sieving_loss * whole;
+    };
+    const bool is_part = std::ranges::all_of(values, [&](double value) { return value >= 0 && value <= most * whole; });
+    PossibleMeanings possible;
+    possible.adds_up = is_part && is_near(sum, whole) &&
+                       std::ranges::count_if(values, [](double value) { return value > 0; }) >= least;
+    possible.on_sieve = is_part && sum <= (1 + 2 * sieving_loss) * whole && (!amounts.pan || possible.adds_up);
+    const auto agrees = [&](double pan) { return is_near(pan, whole) || is_near(pan, whole - values.back()); };
+    possible.cumulative_retained = is_part && rises && (!amounts.pan || agrees(*amounts.pan));
+    possible.passing = is_part && falls && amounts.pan.value_or(0) == 0;
+    return possible;
+}
+
+PossibleMeanings in_common(const PossibleMeanings& a, const PossibleMeanings& b) {
+    return {
+        a.passing && b.passing, a.cumulative_retained && b.cumulative_retained, a.on_sieve && b.on_sieve,
+        a.adds_up && b.adds_up};
+}
+
+std::optional<ShareMeaning> choose_meaning(ShareMeaning named, const PossibleMeanings& possible) {
+    const auto cumulative = possible.passing ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained;
+    const bool is_cumulative = possible.passing != possible.cumulative_retained;
+    switch (named) {
+    case ShareMeaning::Passing:
+    case ShareMeaning::OnSieve:
+        return named;
+    case ShareMeaning::CumulativeRetained:
+        return possible.adds_up && !possible.cumulative_retained ? ShareMeaning::OnSieve : named;
+    case ShareMeaning::Retained:
+        return possible.adds_up || !possible.cumulative_retained ? std::optional(ShareMeaning::OnSieve)
+               : !possible.on_sieve                              ? std::optional(ShareMeaning::CumulativeRetained)
+                                                                 : std::nullopt;
+    case ShareMeaning::Cumulative:
+        return is_cumulative      ? std::optional(cumulative)
+               : possible.adds_up ? std::optional(ShareMeaning::OnSieve)
+                                  : std::nullopt;
+    case ShareMeaning::Unstated:
+        return is_cumulative && !possible.adds_up   ? std::optional(cumulative)
+               : !is_cumulative && possible.adds_up ? std::optional(ShareMeaning::OnSieve)
+                                                    : std::nullopt;
+    }
+    return std::nullopt;
+}
+
+bool is_open(ShareMeaning named) {
+    return named == ShareMeaning::Retained || named == ShareMeaning::Cumulative || named == ShareMeaning::Unstated;
+}
+
+std::optional<Amounts>
+amounts_in(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t column) {
+    constexpr double most = 100.5; // percents that were rounded
+    std::vector<std::pair<double, double>> points;
+    Amounts amounts;
+    const bool has_pan = std::ranges::count_if(sheet.rows, [&size](const SheetRow& row) {
+                             return split_size_text(text_at(row, size.index)).sense == SizeSense::Finer;
+                         }) == 1;
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        const SheetRow& row = sheet.rows[k];
+        const RowWord word = read_row_word(text_at(row, size.index));
+        if (row.is_comment || is_blank(text_at(row, column)) || word == RowWord::Total) {
+            continue;
+        }
+        const SizeText text = split_size_text(text_at(row, size.index));
+        const auto d = read_sieve_size(text.text, size.scale, commas_are_decimal(sheet));
+        const auto value = number_at(sheet, row, column);
+        const bool is_pan = word == RowWord::Pan || (has_pan && text.sense == SizeSense::Finer) ||
+                            (d && d->notation == SizeNotation::Plain && d->diameter == 0 && value.value_or(0) != 0);
+        if (!(is_pan || d) || !value || !(*value >= 0 && *value <= most)) {
+            return std::nullopt;
+        }
+        if (is_pan) {
+            amounts.pan = amounts.pan.value_or(0) + *value;
+        } else {
+            points.emplace_back(d->diameter, *value);
+        }
+    }
+    if (size.scale != SizeScale::SieveNumber) { // some may not be on the scale
+        std::ranges::stable_sort(points, std::greater{}, &std::pair<double, double>::first);
+    }
+    for (const auto& [d, value] : points) {
+        amounts.on_sieves.push_back(value);
+    }
+    amounts.whole = whole_of(points);
+    return points.size() > 1 ? std::optional(amounts) : std::nullopt;
+}
+
+bool may_be_shares(const PossibleMeanings& possible) {
+    return possible.passing || possible.cumulative_retained || possible.adds_up;
+}
+
+bool are_differences(const Amounts& own, const Amounts& cumulative) {
+    const std::vector<double>&each = own.on_sieves, &all = cumulative.on_sieves;
+    const double rounding = 1.5 * digitizing_step * own.whole; // of percents with one digit
+    const auto differ_by = [&](std::size_t shift) {
+        bool are_same = each.size() == all.size() && own.whole == cumulative.whole;
+        for (std::size_t k = 1; are_same && k < each.size(); ++k) {
+            are_same = std::abs(std::abs(all[k] - all[k - 1]) - each[k - shift]) <= rounding;
+        }
+        return are_same;
+    };
+    return differ_by(0) || differ_by(1);
+}
+
+} // namespace suffuse::gradings

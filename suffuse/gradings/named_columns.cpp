@@ -1,0 +1,301 @@
+#include "suffuse/gradings/named_columns.hpp"
+
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/gradings/lexicon.hpp"
+#include "suffuse/gradings/sheet_header.hpp"
+#include "suffuse/gradings/sheet_titles.hpp"
+#include "suffuse/gradings/turned_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace suffuse::gradings {
+
+namespace {
+
+/// Which shares are named, and by which option.
+struct NamedShare {
+    const char* option = "";
+    NamedColumn column;
+    ShareMeaning meaning = ShareMeaning::Passing;
+};
+
+class NamedColumnReader {
+public:
+    NamedColumnReader(const Sheet& sheet, const ReadingOptions& options, Problems& problems)
+        : sheet_(sheet), options_(options), problems_(problems) {}
+
+    std::optional<SheetTable> read() {
+        if (!choose_share() || !read_lines()) {
+            return std::nullopt;
+        }
+        size_ = split_column(options_.size);
+        return size_.name == "across" ? read_across() : read_down();
+    }
+
+private:
+    struct Located {
+        std::size_t column = 0;
+        std::optional<std::size_t> row; ///< of its heading
+    };
+
+    void complain(const std::string& what, const std::string& advice) {
+        const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
+        problems_.error("E506", (first == sheet_.rows.end() ? sheet_.rows.begin() : first)->place, what, advice);
+    }
+
+    /// One of four options says what the shares are.
+    bool choose_share() {
+        const std::array all{
+            NamedShare{"passing", split_column(options_.passing), ShareMeaning::Passing},
+            NamedShare{"retained", split_column(options_.retained), ShareMeaning::CumulativeRetained},
+            NamedShare{"share", split_column(options_.share), ShareMeaning::OnSieve},
+            NamedShare{"mass", split_column(options_.mass), ShareMeaning::OnSieve}};
+        const auto is_given = [](const NamedShare& share) { return !share.column.name.empty(); };
+        if (options_.size.empty() || std::ranges::count_if(all, is_given) != 1) {
+            complain(
+                "columns are named by `size` and one of `passing`, `retained`, `share` and `mass`",
+                "as in --size 1:mm --passing 2"
+            );
+            return false;
+        }
+        share_ = *std::ranges::find_if(all, is_given);
+        return true;
+    }
+
+    bool read_lines() {
+        const auto lines = split_lines(options_.rows);
+        if (!options_.rows.empty() && !lines) {
+            complain(fmt::format("rows: `{}` are no lines", options_.rows), "the first and the last line: --rows 5-12");
+            return false;
+        }
+        lines_ = lines.value_or(lines_);
+        return true;
+    }
+
+    [[nodiscard]] std::size_t width() const {
+        std::size_t most = 0;
+        for (const SheetRow& row : sheet_.rows) {
+            most = std::max(most, row.is_comment ? 0 : row.cells.size());
+        }
+        return most;
+    }
+
+    std::optional<Located> locate(const char* option, const std::string& name) {
+        const auto number = io::number_of<std::size_t>(name);
+        if (number && *number > 0 && *number <= width()) {
+            return Located{*number - 1, {}};
+        }
+        for (std::size_t k = 0; k < sheet_.rows.size(); ++k) {
+            for (std::size_t c = 0; c < sheet_.rows[k].cells.size(); ++c) {
+                if (edit_distance(sheet_.rows[k].cells[c].text, name) == 0) {
+                    return Located{c, k};
+                }
+            }
+        }
+        complain(
+            fmt::format("{}: there is no column `{}`", option, name),
+            fmt::format("a heading of the file, or a number from 1 to {}", width())
+        );
+        return std::nullopt;
+    }
+
+    [[nodiscard]] bool is_in_lines(const SheetRow& row) const {
+        return !row.is_comment && row.place.line >= lines_.first && row.place.line <= lines_.second;
+    }
+
+    [[nodiscard]] bool has_share(const SheetRow& row) const {
+        return std::ranges::any_of(shares_, [&](std::size_t k) { return number_at(sheet_, row, k).has_value(); });
+    }
+
+    [[nodiscard]] bool is_value(const SheetRow& row) const {
+        return is_size(sheet_, row, size_column_) || read_row_word(text_at(row, size_column_)) != RowWord::None ||
+               has_share(row);
+    }
+
+    /// Where the values begin: a size with a share.
+    [[nodiscard]] std::size_t find_first_value(std::size_t from) const {
+        std::size_t k = from;
+        while (k < sheet_.rows.size() && !(is_in_lines(sheet_.rows[k]) &&
+                                           is_size(sheet_, sheet_.rows[k], size_column_) && has_share(sheet_.rows[k]))
+        ) {
+            ++k;
+        }
+        return k;
+    }
+
+    /// Headings of the row that names a column, else of the last row without a number above the values.
+    [[nodiscard]] std::vector<Heading> read_headings(std::optional<std::size_t>& row, std::size_t first) const {
+        for (std::size_t k = first; !row && k-- > 0;) {
+            const bool has_number = std::ranges::any_of(sheet_.rows[k].cells, [](const SheetCell& cell) {
+                return plain_number(cell.text, true).has_value();
+            });
+            row = !has_number && sheet_.rows[k].cells.size() > 1 ? std::optional(k) : row;
+        }
+        std::vector<Heading> headings;
+        for (std::size_t c = 0; row && c < sheet_.rows[*row].cells.size(); ++c) {
+            headings.push_back(read_heading(sheet_.rows[*row].cells[c].text));
+        }
+        if (row && *row + 1 < first) {
+            take_unit_row(sheet_.rows[*row + 1], headings);
+        }
+        headings.resize(width());
+        return headings;
+    }
+
+    std::optional<SheetTable> read_down() {
+        const auto size = locate("size", size_.name);
+        if (!size) {
+            return std::nullopt;
+        }
+        size_column_ = size->column;
+        std::optional<std::size_t> header = size->row;
+        const bool is_all = share_.column.name == "all";
+        if (is_all) {
+            for (std::size_t k = 0; k < width(); ++k) {
+                k == size_column_ ? void() : shares_.push_back(k);
+            }
+        } else {
+            const auto share = locate(share_.option, share_.column.name);
+            if (!share) {
+                return std::nullopt;
+            }
+            header = header ? header : share->row;
+            shares_ = {share->column};
+        }
+        const std::size_t first = find_first_value(header ? *header + 1 : 0);
+        if (first == sheet_.rows.size()) {
+            complain(
+                fmt::format("no line has a size in column {} and a number in that of the shares", size_column_ + 1),
+                "look at the file: are these the columns?"
+            );
+            return std::nullopt;
+        }
+        const std::vector<Heading> headings = read_headings(header, first);
+        std::vector<std::size_t> keys;
+        for (std::size_t k = 0; k < headings.size(); ++k) {
+            const bool is_used = k == size_column_ || (!is_all && std::ranges::find(shares_, k) != shares_.end());
+            headings[k].kind == ColumnKind::Sample && !is_used ? keys.push_back(k) : void();
+        }
+        std::erase_if(shares_, [&](std::size_t k) {
+            const auto numbers = std::count_if(
+                sheet_.rows.begin() + static_cast<std::ptrdiff_t>(first), sheet_.rows.end(),
+                [&](const SheetRow& row) { return number_at(sheet_, row, k).has_value(); }
+            );
+            return is_all && (numbers < 2 || headings[k].kind == ColumnKind::Sample);
+        });
+        return build(header, first, headings, keys);
+    }
+
+    std::optional<SheetTable> build(
+        std::optional<std::size_t> header, std::size_t first, const std::vector<Heading>& headings,
+        const std::vector<std::size_t>& keys
+    ) {
+        std::vector<std::size_t> taken{size_column_};
+        taken.insert(taken.end(), shares_.begin(), shares_.end());
+        taken.insert(taken.end(), keys.begin(), keys.end());
+        const auto cut = [&taken](const SheetRow& row) {
+            SheetRow part{{}, row.place, row.is_comment};
+            for (const std::size_t k : taken) {
+                part.cells.push_back(k < row.cells.size() ? row.cells[k] : SheetCell{{}, row.place, false});
+            }
+            return part;
+        };
+        SheetTable table;
+        table.sheet.mark = sheet_.mark;
+        table.sheet.rows.push_back(header ? cut(sheet_.rows[*header]) : SheetRow{{}, sheet_.rows[first].place, false});
+        for (std::size_t k = first; k < sheet_.rows.size() && sheet_.rows[k].place.line <= lines_.second; ++k) {
+            if (sheet_.rows[k].is_comment) {
+                continue;
+            }
+            if (!is_value(sheet_.rows[k])) {
+                problems_.warning(sheet_remark, sheet_.rows[k].place, "the named columns are read down to this line");
+                break;
+            }
+            table.sheet.rows.push_back(cut(sheet_.rows[k]));
+        }
+        GradingColumns columns;
+        columns.first_row = 1;
+        columns.size = {0, headings[size_column_].scale};
+        columns.stated_unit = find_size_unit(sheet_, 0, first);
+        for (std::size_t k = 0; k < shares_.size(); ++k) {
+            const Heading& heading = headings[shares_[k]];
+            const std::string name = shares_.size() > 1 ? text_at(table.sheet.rows.front(), k + 1) : "";
+            columns.shares.push_back({k + 1, {}, name, share_.meaning, heading.unit, true, heading.mass_unit});
+        }
+        for (std::size_t k = 0; k < keys.size(); ++k) {
+            columns.sample_key.push_back(1 + shares_.size() + k);
+        }
+        table.columns = std::move(columns);
+        return apply_units(std::move(table));
+    }
+
+    std::optional<SheetTable> read_across() {
+        auto table = turn_table(sheet_, problems_);
+        if (!table) {
+            complain("size: no line has sizes in its columns", "name the column of sizes: --size 1:mm");
+            return std::nullopt;
+        }
+        std::erase_if(table->columns->shares, [this](const ShareColumn& share) {
+            return share_.column.name != "all" && share.name != share_.column.name;
+        });
+        if (table->columns->shares.empty()) {
+            complain(
+                fmt::format("{}: there is no line `{}`", share_.option, share_.column.name),
+                "the name of a soil, or `all`"
+            );
+            return std::nullopt;
+        }
+        for (ShareColumn& share : table->columns->shares) {
+            share.meaning = share_.meaning;
+        }
+        table->columns->stated_unit = table->size_unit;
+        return apply_units(std::move(*table));
+    }
+
+    std::optional<SheetTable> apply_units(SheetTable table) {
+        const SizeScale scale = size_scale_of(size_.unit);
+        const ShareUnit unit = share_.column.unit == "%" ? ShareUnit::Percent : share_unit_named(share_.column.unit);
+        const bool is_mass = std::string_view(share_.option) == "mass";
+        if ((!size_.unit.empty() && scale == SizeScale::Unknown) ||
+            (!share_.column.unit.empty() && (unit == ShareUnit::Unknown || (is_mass && unit != ShareUnit::Mass)))) {
+            complain(
+                fmt::format("`{}` and `{}`: a unit does not fit", options_.size, share_.column.unit),
+                "sizes in mm, um, cm, m, in, phi or no; shares in %, - or g/kg; masses in g, kg or mg"
+            );
+            return std::nullopt;
+        }
+        table.columns->size.scale = scale == SizeScale::Unknown ? table.columns->size.scale : scale;
+        for (ShareColumn& share : table.columns->shares) {
+            share.is_named = true;
+            share.unit = is_mass ? ShareUnit::Mass : unit == ShareUnit::Unknown ? share.unit : unit;
+            if (unit == ShareUnit::Mass) {
+                share.mass_unit = read_heading("mass (" + share_.column.unit + ")").mass_unit;
+            }
+        }
+        return table;
+    }
+
+    const Sheet& sheet_;
+    const ReadingOptions& options_;
+    Problems& problems_;
+    NamedShare share_;
+    NamedColumn size_;
+    std::pair<int, int> lines_{1, std::numeric_limits<int>::max()};
+    std::size_t size_column_ = 0;
+    std::vector<std::size_t> shares_;
+};
+
+} // namespace
+
+std::optional<SheetTable> read_named_columns(const Sheet& sheet, const ReadingOptions& options, Problems& problems) {
+    return NamedColumnReader(sheet, options, problems).read();
+}
+
+} // namespace suffuse::gradings

@@ -1,0 +1,107 @@
+#include "suffuse/gradings/sheets_for_tests.hpp"
+
+namespace suffuse::gradings {
+namespace {
+
+using namespace testing;
+
+ReadingOptions columns(const std::string& size, std::string ReadingOptions::*kind, const std::string& share) {
+    ReadingOptions options;
+    options.size = size;
+    options.*kind = share;
+    return options;
+}
+
+const std::string sheet = "Report 7\nA,B,C\n63,28,10\n200,22,60\n630,50,100\nchecked,by,hand\n1,2,3\n";
+const SheetSoil passing{"", {{0.063, 10}, {0.2, 60}, {0.63, 100}}};
+
+TEST(NamedColumns, AreFoundByHeadingOrNumberInTheirUnits) {
+    for (const auto& options :
+         {columns("A:um", &ReadingOptions::passing, "C"), columns("1:um", &ReadingOptions::passing, "3:%"),
+          columns("a:um", &ReadingOptions::passing, "3")}) {
+        const ParsedSheet parsed = parse_sheet(sheet, "sheet.csv", options);
+        ASSERT_EQ(parsed.soils.size(), 1U) << messages_of(parsed);
+        expect_soil(passing, parsed.soils.front(), options.size);
+        EXPECT_NE(messages_of(parsed).find("read down to this line"), std::string::npos); // not silently
+    }
+}
+
+TEST(NamedColumns, SayWhatTheSharesAre) {
+    const ParsedSheet own = parse_sheet(sheet, "sheet.csv", columns("A:um", &ReadingOptions::share, "B"));
+    ASSERT_EQ(own.soils.size(), 1U) << messages_of(own);
+    expect_soil({"", {{0.063, 0}, {0.2, 28}, {0.63, 50}}}, own.soils.front(), "share");
+    const ParsedSheet retained =
+        parse_sheet("s,x\n2,10\n1,40\n0.5,90\n", "sheet.csv", columns("s:mm", &ReadingOptions::retained, "x"));
+    ASSERT_EQ(retained.soils.size(), 1U) << messages_of(retained);
+    expect_soil({"", {{0.5, 10}, {1, 60}, {2, 90}}}, retained.soils.front(), "retained");
+    const ParsedSheet mass =
+        parse_sheet("s,x\n2,50\n1,30\npan,20\n", "sheet.csv", columns("s:mm", &ReadingOptions::mass, "x:kg"));
+    ASSERT_EQ(mass.soils.size(), 1U) << messages_of(mass);
+    expect_soil({"", {{1, 20}, {2, 50}}}, mass.soils.front(), "mass");
+}
+
+TEST(NamedColumns, MayBeAllOfTheTableOrAcrossIt) {
+    const ParsedSheet down =
+        parse_sheet("s,P,Q\n1,20,30\n2,100,100\n", "sheet.csv", columns("s:mm", &ReadingOptions::passing, "all"));
+    ASSERT_EQ(down.soils.size(), 2U) << messages_of(down);
+    expect_soil({"Q", {{1, 30}, {2, 100}}}, down.soils.back(), "down");
+    const ParsedSheet across = parse_sheet(
+        "Sample,63,200,630\nP,10,60,100\nQ,0,50,100\n", "sheet.csv", columns("across:um", &ReadingOptions::passing, "P")
+    );
+    ASSERT_EQ(across.soils.size(), 1U) << messages_of(across);
+    expect_soil(passing, across.soils.front(), "across");
+}
+
+TEST(NamedColumns, LinesAndTablesAreChosen) {
+    ReadingOptions options;
+    options.rows = "4-6";
+    const std::string two = "d [mm],passing [%]\n1,20\n2,100\nd [mm],passing [%]\n3,20\n4,100\n";
+    expect_soil({"", {{3, 20}, {4, 100}}}, parse_sheet(two, "sheet.csv", options).soils.at(0), "rows");
+    options.rows = "";
+    options.sheet = 1;
+    expect_soil({"", {{1, 20}, {2, 100}}}, parse_sheet(two, "sheet.csv", options).soils.at(0), "sheet");
+    options.sheet = 3;
+    EXPECT_NE(messages_of(parse_sheet(two, "sheet.csv", options)).find("the file has 2 tables"), std::string::npos);
+}
+
+/// Half of the grains in each of two classes, from 1 to 2 and from 2 to 4 mm: of mass, 1 : 8.
+TEST(NamedColumns, SharesOfTheNumberOfGrainsAreWeighed) {
+    ReadingOptions options;
+    options.by = "number";
+    const ParsedSheet parsed = parse_sheet("d [mm],passing [%]\n1,0\n2,50\n4,100\n", "sheet.csv", options);
+    ASSERT_EQ(parsed.soils.size(), 1U) << messages_of(parsed);
+    expect_soil({"", {{1, 0}, {2, 100.0 / 9}, {4, 100}}}, parsed.soils.front(), "number");
+    EXPECT_NE(messages_of(parsed).find("converted to shares of mass"), std::string::npos);
+    const ParsedSheet open = parse_sheet("d [mm],passing [%]\n1,5\n2,50\n4,100\n", "sheet.csv", options);
+    EXPECT_NE(messages_of(open).find("a size that none is finer than"), std::string::npos);
+}
+
+TEST(NamedColumns, ErrorsNameWhatIsWrong) {
+    for (const auto& [options, words] : std::vector<std::pair<ReadingOptions, std::string>>{
+             {columns("D", &ReadingOptions::passing, "C"), "size: there is no column `D`"},
+             {columns("1", &ReadingOptions::share, "9"), "share: there is no column `9`"},
+             {columns("1:g", &ReadingOptions::passing, "3"), "a unit does not fit"},
+             {columns("1", &ReadingOptions::mass, "3:%"), "a unit does not fit"},
+             {columns("", &ReadingOptions::passing, "3"), "one of `passing`, `retained`, `share` and `mass`"},
+             {columns("across", &ReadingOptions::passing, "3"), "no line has sizes in its columns"}}) {
+        const ParsedSheet parsed = parse_sheet(sheet, "sheet.csv", options);
+        EXPECT_TRUE(parsed.soils.empty());
+        EXPECT_NE(messages_of(parsed).find(words), std::string::npos) << words << "\n" << messages_of(parsed);
+    }
+    ReadingOptions lines;
+    lines.rows = "12";
+    EXPECT_NE(messages_of(parse_sheet(sheet, "sheet.csv", lines)).find("are no lines"), std::string::npos);
+}
+
+/// A refusal has the flags of a command, and they read the file.
+TEST(NamedColumns, ARefusalNamesTheOptionsThatWork) {
+    const ParsedSheet refused = parse_sheet("d_mm,weight_percent\n2,5\n1,10\n0.5,15\n0.25,20\n0.125,22\n0.063,28\n");
+    ASSERT_TRUE(refused.soils.empty());
+    EXPECT_NE(
+        refused.remarks.back().help.find("suffuse assess sheet.csv --size 1:mm --share 2 or --size 1:mm --retained 2"),
+        std::string::npos
+    ) << refused.remarks.back().help;
+}
+
+} // namespace
+} // namespace suffuse::gradings
