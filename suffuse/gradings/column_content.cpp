@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace suffuse::gradings {
@@ -29,6 +31,20 @@ PossibleMeanings of_masses(const Amounts& amounts, double sum, bool rises, bool 
     possible.cumulative_retained = rises && !(amounts.pan && *amounts.pan < last);
     possible.passing = falls && amounts.pan.value_or(0) == 0;
     return possible;
+}
+
+/// Whether one column holds each sieve's own share and the other the same shares added up.
+bool are_differences(const Amounts& own, const Amounts& cumulative) {
+    const std::vector<double>&each = own.on_sieves, &all = cumulative.on_sieves;
+    const double rounding = 1.5 * digitizing_step * own.whole; // of percents with one digit
+    const auto differ_by = [&](std::size_t shift) {
+        bool are_same = each.size() == all.size() && own.whole == cumulative.whole;
+        for (std::size_t k = 1; are_same && k < each.size(); ++k) {
+            are_same = std::abs(std::abs(all[k] - all[k - 1]) - each[k - shift]) <= rounding;
+        }
+        return are_same;
+    };
+    return differ_by(0) || differ_by(1);
 }
 
 } // namespace
@@ -138,17 +154,80 @@ bool may_be_shares(const PossibleMeanings& possible) {
     return possible.passing || possible.cumulative_retained || possible.adds_up;
 }
 
-bool are_differences(const Amounts& own, const Amounts& cumulative) {
-    const std::vector<double>&each = own.on_sieves, &all = cumulative.on_sieves;
-    const double rounding = 1.5 * digitizing_step * own.whole; // of percents with one digit
-    const auto differ_by = [&](std::size_t shift) {
-        bool are_same = each.size() == all.size() && own.whole == cumulative.whole;
-        for (std::size_t k = 1; are_same && k < each.size(); ++k) {
-            are_same = std::abs(std::abs(all[k] - all[k - 1]) - each[k - shift]) <= rounding;
-        }
-        return are_same;
+bool names_soils(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t column) {
+    constexpr std::size_t least = 2;   // rows of a soil
+    constexpr double common_range = 2; // of sizes: a hydrometer that goes on below sieves shares less
+
+    struct Block {
+        std::string_view name;
+        double finest = 0, coarsest = 0;
+        std::size_t rows = 0;
     };
-    return differ_by(0) || differ_by(1);
+
+    std::vector<Block> blocks;
+    std::set<std::string_view> names;
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        const SheetRow& row = sheet.rows[k];
+        const auto d =
+            read_sieve_size(split_size_text(text_at(row, size.index)).text, size.scale, commas_are_decimal(sheet));
+        if (row.is_comment || !d) {
+            continue;
+        }
+        const std::string_view name = text_at(row, column);
+        if (blocks.empty() || blocks.back().name != name) {
+            if (is_blank(name) || !names.insert(name).second) {
+                return false; // it has come before
+            }
+            blocks.push_back({name, d->diameter, d->diameter, 0});
+        }
+        Block& block = blocks.back();
+        block.finest = std::min(block.finest, d->diameter), block.coarsest = std::max(block.coarsest, d->diameter);
+        ++block.rows;
+    }
+    if (blocks.size() < 2) {
+        return false;
+    }
+    const double finest = std::ranges::max(blocks, {}, &Block::finest).finest;
+    const double coarsest = std::ranges::min(blocks, {}, &Block::coarsest).coarsest;
+    const auto is_soil = [](const Block& block) { return block.rows >= least; };
+    return std::ranges::all_of(blocks, is_soil) && coarsest > common_range * finest;
+}
+
+bool is_cumulative(const Amounts& amounts) {
+    const PossibleMeanings possible = find_possible_meanings(amounts);
+    return possible.passing || possible.cumulative_retained;
+}
+
+std::vector<std::pair<std::size_t, Amounts>> find_share_columns(
+    const Sheet& sheet, std::size_t first_row, const SizeColumn& size, const std::vector<std::size_t>& candidates
+) {
+    std::vector<std::pair<std::size_t, Amounts>> all;
+    for (const std::size_t k : candidates) {
+        const auto amounts = amounts_in(sheet, first_row, size, k);
+        if (amounts && may_be_shares(find_possible_meanings(*amounts))) {
+            all.emplace_back(k, *amounts);
+        }
+    }
+    constexpr std::size_t most = 50; // columns that are compared with each other
+    auto columns = all;
+    std::erase_if(columns, [&all](const auto& own) {
+        return all.size() <= most && !is_cumulative(own.second) && std::ranges::any_of(all, [&own](const auto& other) {
+                   return is_cumulative(other.second) && are_differences(own.second, other.second);
+               });
+    });
+    return columns;
+}
+
+std::optional<std::size_t> find_finer_bound(const Sheet& sheet, std::size_t first_row, std::size_t a, std::size_t b) {
+    std::size_t rows = 0, rises = 0;
+    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
+        const auto first = number_at(sheet, sheet.rows[k], a), second = number_at(sheet, sheet.rows[k], b);
+        if (!sheet.rows[k].is_comment && first && second) {
+            ++rows, rises += *first < *second ? 1U : 0U;
+        }
+    }
+    const bool are_bounds = rows > 1 && (rises == 0 || rises == rows);
+    return are_bounds ? std::optional(rises == rows ? a : b) : std::nullopt;
 }
 
 } // namespace suffuse::gradings

@@ -4,7 +4,9 @@
 
 #include "suffuse/gradings/grading_columns.hpp"
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace suffuse::gradings {
@@ -41,7 +43,19 @@ amounts_in(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, st
 /// Whether numbers may be shares of a soil: they rise or fall with the size throughout, or add up to the whole.
 bool may_be_shares(const PossibleMeanings& possible);
 
-/// Whether one column holds each sieve's own share and the other the same shares added up.
-bool are_differences(const Amounts& own, const Amounts& cumulative);
+/// Whether a column names the soils of a table: its values are constant within blocks of rows, and the sizes of each
+/// block go over much the same range.
+bool names_soils(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t column);
+
+/// Whether they rise or fall with the size throughout.
+bool is_cumulative(const Amounts& amounts);
+
+/// Which of some columns may be shares. Of two, one of which is the other added up, only that one.
+std::vector<std::pair<std::size_t, Amounts>> find_share_columns(
+    const Sheet& sheet, std::size_t first_row, const SizeColumn& size, const std::vector<std::size_t>& candidates
+);
+
+/// Of two columns of sizes, of which one is finer in each row, that one: they bound classes.
+std::optional<std::size_t> find_finer_bound(const Sheet& sheet, std::size_t first_row, std::size_t a, std::size_t b);
 
 } // namespace suffuse::gradings

@@ -11,12 +11,11 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace suffuse::gradings {
 
 namespace {
-
-constexpr std::size_t most_columns = 2000;
 
 class ColumnFinder {
 public:
@@ -44,6 +43,7 @@ private:
         if (!check_units() || !choose_size() || !choose_shares()) {
             return std::nullopt;
         }
+        settle_bounds();
         remark_on_unread();
         return found_;
     }
@@ -138,6 +138,9 @@ private:
         int best_rank = 0;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const int rank = rank_of_size(k);
+            if (rank > 0 && rank == best_rank && take_bounds(best, k)) {
+                continue;
+            }
             if (rank > 0 && rank == best_rank) {
                 problems_.error(
                     "E506", header_->cells[k].place,
@@ -158,8 +161,35 @@ private:
             );
             return false;
         }
+        best = finer_bound_.value_or(best);
         found_.size = {best, headings_[best].scale};
         return true;
+    }
+
+    /// Two columns of which one has the coarser size in each row: the bounds of classes.
+    bool take_bounds(std::size_t a, std::size_t b) {
+        const auto finer = find_finer_bound(sheet_, found_.first_row, a, b);
+        if (!finer || headings_[a].scale != headings_[b].scale || found_.upper) {
+            return false;
+        }
+        finer_bound_ = finer;
+        found_.upper = *finer == a ? b : a;
+        problems_.warning(
+            sheet_remark, header_->cells[b].place,
+            fmt::format(
+                "`{}` and `{}` are read as the bounds of classes", header_->cells[a].text, header_->cells[b].text
+            )
+        );
+        return true;
+    }
+
+    /// What passes is finer than the coarser bound of its class.
+    void settle_bounds() {
+        if (found_.upper && found_.shares.front().meaning == ShareMeaning::Passing) {
+            std::swap(found_.size.index, *found_.upper);
+            bound_ = *std::exchange(found_.upper, std::nullopt);
+        }
+        bound_ = found_.upper ? *found_.upper : bound_;
     }
 
     [[nodiscard]] std::vector<std::size_t> columns_of(ColumnKind kind, std::optional<ShareMeaning> meaning = {}) const {
@@ -243,10 +273,26 @@ private:
 
     void find_sample_key() {
         for (std::size_t k = 0; k < headings_.size(); ++k) {
-            if (headings_[k].kind == ColumnKind::Sample && !differs_everywhere(k)) {
+            if (headings_[k].kind == ColumnKind::Sample && !is_share(k) && !differs_everywhere(k)) {
                 found_.sample_key.push_back(k);
             }
         }
+        for (std::size_t k = 0; k < headings_.size() && found_.sample_key.empty(); ++k) {
+            const bool may_be = k != found_.size.index && k != found_.upper && !is_share(k);
+            if (may_be && names_soils(sheet_, found_.first_row, found_.size, k)) {
+                found_.sample_key.push_back(k);
+                problems_.warning(
+                    sheet_remark, place_at(*header_, k),
+                    fmt::format("`{}` names the soils, because the sizes begin anew where it changes", name_of(k))
+                );
+            }
+        }
+    }
+
+    [[nodiscard]] bool is_share(std::size_t column) const {
+        return std::ranges::any_of(found_.shares, [column](const ShareColumn& share) {
+            return share.index == column || share.tare == column;
+        });
     }
 
     /// Rows that are a sample each make no curve: such a column counts or measures something else.
@@ -263,22 +309,13 @@ private:
 
     /// Columns whose headings say neither: soils, by their numbers.
     bool take_unnamed() {
-        std::vector<std::pair<std::size_t, Amounts>> columns;
+        std::vector<std::size_t> candidates;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool may_be = headings_[k].kind == ColumnKind::Other ||
                                 (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
-            const auto amounts =
-                may_be ? amounts_in(sheet_, found_.first_row, found_.size, k) : std::optional<Amounts>{};
-            if (amounts && may_be_shares(find_possible_meanings(*amounts))) {
-                columns.emplace_back(k, *amounts);
-            }
+            may_be ? candidates.push_back(k) : void();
         }
-        std::erase_if(columns, [all = columns](const auto& own) { // of two columns of one soil the one that is added up
-            return std::ranges::any_of(all, [&own](const auto& other) {
-                return other.first != own.first && !are_cumulative(own.second) && are_cumulative(other.second) &&
-                       are_differences(own.second, other.second);
-            });
-        });
+        const auto columns = find_share_columns(sheet_, found_.first_row, found_.size, candidates);
         for (const auto& [k, amounts] : columns) {
             found_.shares.push_back({k, {}, header_->cells[k].text, ShareMeaning::Unstated, headings_[k].unit, false});
         }
@@ -290,21 +327,10 @@ private:
             );
             return false;
         }
-        for (std::size_t k = 0; k < headings_.size(); ++k) {
-            const bool is_share =
-                std::ranges::any_of(found_.shares, [k](const auto& share) { return share.index == k; });
-            if (headings_[k].kind == ColumnKind::Sample && !is_share && !differs_everywhere(k)) {
-                found_.sample_key.push_back(k);
-            }
-        }
-        remark_on_meaning(std::ranges::all_of(columns, [](const auto& column) { return are_cumulative(column.second); })
+        find_sample_key();
+        remark_on_meaning(std::ranges::all_of(columns, [](const auto& column) { return is_cumulative(column.second); })
         );
         return true;
-    }
-
-    static bool are_cumulative(const Amounts& amounts) {
-        const PossibleMeanings possible = find_possible_meanings(amounts);
-        return possible.passing || possible.cumulative_retained;
     }
 
     void remark_on_meaning(bool are_cumulative) {
@@ -328,11 +354,8 @@ private:
     void remark_on_unread() {
         std::vector<std::string> unread;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
-            const bool is_share = std::ranges::any_of(found_.shares, [k](const auto& share) {
-                return share.index == k || share.tare == k;
-            });
             const bool is_key = std::ranges::find(found_.sample_key, k) != found_.sample_key.end();
-            if (!is_share && !is_key && k != found_.size.index && !name_of(k).empty()) {
+            if (!is_share(k) && !is_key && k != found_.size.index && k != bound_ && !name_of(k).empty()) {
                 unread.push_back(fmt::format("`{}`", name_of(k)));
             }
         }
@@ -359,26 +382,11 @@ private:
     const SheetRow *header_ = nullptr, *second_ = nullptr; ///< lines of the headings
     std::size_t header_row_ = 0;
     std::vector<Heading> headings_;
+    std::optional<std::size_t> finer_bound_, bound_; ///< columns of sizes of classes
     GradingColumns found_;
 };
 
 } // namespace
-
-bool is_too_wide(const Sheet& sheet, Problems& problems) {
-    for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
-        if (sheet.rows[k].cells.size() > most_columns) {
-            problems.error(
-                "E506", {sheet.rows[k].place.source, sheet.rows[k].place.line, 1, 1},
-                fmt::format(
-                    "{} columns, and a table of gradings has at most {}", sheet.rows[k].cells.size(), most_columns
-                ),
-                "is this the right file? Write a line for each sieve"
-            );
-            return true;
-        }
-    }
-    return false;
-}
 
 std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems) {
     return ColumnFinder(sheet, problems).find();

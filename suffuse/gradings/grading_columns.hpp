@@ -38,11 +38,12 @@ struct ShareColumn {
 struct GradingColumns {
     std::size_t first_row = 0; ///< of the values
     SizeColumn size;
-    std::vector<ShareColumn> shares;     ///< one a soil, or one for all
-    std::vector<std::size_t> sample_key; ///< columns that say which soil a row belongs to
-    StatedUnit stated_unit = {};         ///< of sizes whose heading gives none
-    bool is_by_number = false;           ///< shares of the number of grains, not of their mass
-    bool is_headed = true;               ///< false: a remark already says that sizes are read in mm
+    std::optional<std::size_t> upper = {}; ///< column of the coarser bounds, where the sizes are those of classes
+    std::vector<ShareColumn> shares;       ///< one a soil, or one for all
+    std::vector<std::size_t> sample_key;   ///< columns that say which soil a row belongs to
+    StatedUnit stated_unit = {};           ///< of sizes whose heading gives none
+    bool is_by_number = false;             ///< shares of the number of grains, not of their mass
+    bool is_headed = true;                 ///< false: a remark already says that sizes are read in mm
 };
 
 constexpr const char* expected_header =
@@ -51,9 +52,6 @@ constexpr const char* expected_header =
 
 /// Empty where a column is missing or two mean the same, which is reported.
 std::optional<GradingColumns> find_grading_columns(const Sheet& sheet, Problems& problems);
-
-/// More columns than a table of gradings has, which is reported.
-bool is_too_wide(const Sheet& sheet, Problems& problems);
 
 /// Code of the remarks on how a sheet was read.
 constexpr const char* sheet_remark = "W508";

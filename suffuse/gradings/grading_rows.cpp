@@ -55,7 +55,9 @@ private:
         const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(columns_.first_row);
         const auto row = std::find_if(begin, sheet_.rows.end(), is_class);
         for (ShareColumn& share : columns_.shares) {
-            if (row != sheet_.rows.end() && is_open(share.meaning)) {
+            if (columns_.upper && is_open(share.meaning)) {
+                share.meaning = ShareMeaning::OnSieve;
+            } else if (row != sheet_.rows.end() && is_open(share.meaning)) {
                 share.meaning = ShareMeaning::OnSieve;
                 remark(
                     place_at(*row, columns_.size.index),

@@ -61,7 +61,8 @@ constexpr auto roles = std::to_array<Words<Role>>({
     {Role::Sample, "sample,specimen,borehole,bh,boring,point,pointid,hole,location,test,pit"},
     {Role::Depth, "depth,top,bottom"},
     {Role::Phi, "phi"},
-    {Role::Filler, "name,ref,than,of,the,particle,grain,standard,volume,vol,density,diff,differential,frequency"},
+    {Role::Filler,
+     "name,ref,than,of,the,particle,grain,standard,volume,vol,density,diff,differential,frequency,share,shares"},
     // French
     {Role::Size, "diametre,ouverture,maille,taille,dimension"},
     {Role::Sieve, "tamis"},

@@ -2,6 +2,8 @@
 
 #include "suffuse/gradings/grading_columns.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -94,7 +96,25 @@ bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
     });
 }
 
+constexpr std::size_t most_columns = 2000;
+
 } // namespace
+
+bool is_too_wide(const Sheet& sheet, Problems& problems) {
+    for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
+        if (sheet.rows[k].cells.size() > most_columns) {
+            problems.error(
+                "E506", {sheet.rows[k].place.source, sheet.rows[k].place.line, 1, 1},
+                fmt::format(
+                    "{} columns, and a table of gradings has at most {}", sheet.rows[k].cells.size(), most_columns
+                ),
+                "is this the right file? Write a line for each sieve"
+            );
+            return true;
+        }
+    }
+    return false;
+}
 
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     auto header = find_first_line(sheet);

@@ -1,6 +1,7 @@
 #pragma once
 // The row of a sheet that names its columns, and a row of units below it.
 
+#include "suffuse/base/diagnostics.hpp"
 #include "suffuse/gradings/heading.hpp"
 #include "suffuse/gradings/sheet.hpp"
 
@@ -25,6 +26,9 @@ bool is_complete_header(const SheetRow& row);
 
 /// "mm,%": a row without a number, in which every cell is a unit. @return whether it is one, and was taken
 bool take_unit_row(const SheetRow& row, std::vector<Heading>& headings);
+
+/// More columns than a table of gradings has, which is reported.
+bool is_too_wide(const Sheet& sheet, Problems& problems);
 
 /// Rows that are looked through for headings.
 constexpr std::size_t most_titles = 60;

@@ -129,7 +129,8 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
         );
     }
     const bool has_unit = columns_.size.scale != SizeScale::Unknown || size->notation != SizeNotation::Plain;
-    const auto upper = read_sieve_size(split.upper, columns_.size.scale, comma);
+    const std::string& bound = columns_.upper ? text_at(row, *columns_.upper) : split.upper;
+    const auto upper = read_sieve_size(bound, columns_.size.scale, comma);
     return CellSize{
         size->diameter, has_unit, columns_.size.scale == SizeScale::Phi ? turned(split.sense) : split.sense,
         upper ? upper->diameter : 0};

@@ -1,8 +1,10 @@
 #include "suffuse/gradings/unnamed_columns.hpp"
 
 #include "suffuse/gradings/column_content.hpp"
+#include "suffuse/gradings/derived_names.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -92,8 +94,36 @@ private:
         return rows > 1 && sizes.size() == rows && ends_full && (possible.passing || possible.cumulative_retained);
     }
 
+    /// "clay,silt,sand": their bounds differ between standards. @return whether the row has such headings
+    bool complain_about_classes(const SheetRow& row) {
+        std::vector<std::string> classes;
+        for (const SheetCell& cell : row.cells) {
+            const auto derived = read_derived_name(cell.text);
+            const bool is_class =
+                derived && (derived->kind == DerivedValue::Kind::Gravel || derived->kind == DerivedValue::Kind::Sand ||
+                            derived->kind == DerivedValue::Kind::Silt || derived->kind == DerivedValue::Kind::Clay ||
+                            derived->kind == DerivedValue::Kind::Fines || derived->kind == DerivedValue::Kind::Cobbles);
+            is_class ? classes.push_back(cell.text) : void();
+        }
+        if (classes.size() < 2) {
+            return false;
+        }
+        const std::string last = classes.back();
+        classes.pop_back();
+        problems_.error(
+            "E506", row.place,
+            fmt::format("shares of {} and {} are no curve: their sizes are missing", fmt::join(classes, ", "), last),
+            "write the curve: `d [mm],passing [%]` with the upper bound of each class by its standard, as 0.002, 0.063 "
+            "and 2 mm"
+        );
+        return true;
+    }
+
     void complain_about_header(bool are_two_columns) {
         const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
+        if (first != sheet_.rows.end() && complain_about_classes(*first)) {
+            return;
+        }
         problems_.error(
             "E506", first != sheet_.rows.end() ? first->place : sheet_.rows.front().place,
             are_two_columns ? "no column headings, and the numbers do not show which are the sizes"
