@@ -249,7 +249,7 @@ std::vector<NamedGrading> parse_text(
 /// The options that read a text that could not be read without: those of the likeliest columns, and what else fits
 /// them.
 std::string find_command(const std::shared_ptr<const Source>& text, CurveEnds ends) {
-    constexpr std::size_t most_bytes = 1U << 18U; // it is read again for each guess
+    constexpr std::size_t most_bytes = 1U << 16U; // it is read again for each guess
     std::string command;
     if (text->text.size() > most_bytes) {
         return command;

@@ -100,6 +100,16 @@ constexpr std::size_t most_columns = 2000;
 
 } // namespace
 
+std::vector<std::size_t> columns_of_kind(const std::vector<Heading>& headings, ColumnKind kind) {
+    std::vector<std::size_t> columns;
+    for (std::size_t k = 0; k < headings.size(); ++k) {
+        if (headings[k].kind == kind) {
+            columns.push_back(k);
+        }
+    }
+    return columns;
+}
+
 bool is_too_wide(const Sheet& sheet, Problems& problems) {
     for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
         if (sheet.rows[k].cells.size() > most_columns) {

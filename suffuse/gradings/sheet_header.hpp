@@ -21,6 +21,9 @@ struct SheetHeader {
 /// The first complete row of headings, else the first with a size; a comment counts where no other line does.
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet);
 
+/// The columns of a kind, rising.
+std::vector<std::size_t> columns_of_kind(const std::vector<Heading>& headings, ColumnKind kind);
+
 /// Whether a row names a size and a share.
 bool is_complete_header(const SheetRow& row);
 

@@ -1,0 +1,105 @@
+#include "suffuse/gradings/percentiles.hpp"
+
+#include "suffuse/gradings/sheet_header.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace suffuse::gradings {
+
+namespace {
+
+constexpr std::size_t least_points = 3; // of a curve; Cu needs two
+
+/// A column of sizes that a given share is finer than.
+struct PercentileColumn {
+    std::size_t index = 0;
+    double share = 0; ///< [-]
+    SizeScale scale = SizeScale::Unknown;
+};
+
+/// "d60_mm", "D10 (mm)", "dmax": columns with a share each, none twice.
+std::vector<PercentileColumn> find_columns(const SheetRow& row) {
+    std::vector<PercentileColumn> columns;
+    for (std::size_t k = 0; k < row.cells.size(); ++k) {
+        const auto derived = read_derived_name(row.cells[k].text);
+        const bool is_size = derived && !derived->value && derived->kind == DerivedValue::Kind::SizeAt;
+        const bool is_largest = derived && !derived->value && derived->kind == DerivedValue::Kind::Largest;
+        const double share = is_largest ? 1 : is_size ? derived->at : 0;
+        const bool is_new = std::ranges::find(columns, share, &PercentileColumn::share) == columns.end();
+        if ((is_size || is_largest) && is_new) {
+            columns.push_back({k, share, read_heading(row.cells[k].text).scale});
+        }
+    }
+    return columns;
+}
+
+/// The names of a soil: of all columns of samples.
+std::string name_of(const SheetRow& header, const SheetRow& row) {
+    std::string name;
+    for (std::size_t k = 0; k < header.cells.size(); ++k) {
+        if (read_heading(header.cells[k].text).kind == ColumnKind::Sample && !is_blank(text_at(row, k))) {
+            name += fmt::format("{}{}", name.empty() ? "" : " ", text_at(row, k));
+        }
+    }
+    return name.empty() ? fmt::format("line {}", row.place.line) : name;
+}
+
+SheetTable table_of(
+    const Sheet& sheet, const SheetRow& header, const SheetRow& row, const std::vector<PercentileColumn>& columns
+) {
+    SheetTable table;
+    table.name = name_of(header, row);
+    table.sheet.mark = sheet.mark;
+    table.sheet.rows.push_back({{{"d", header.place}, {"passing", header.place}}, header.place, false});
+    for (const PercentileColumn& column : columns) {
+        if (is_blank(text_at(row, column.index))) {
+            continue;
+        }
+        SheetRow line{{row.cells[column.index]}, row.place, false};
+        line.cells.push_back({fmt::format("{:.6g}", 100 * column.share), line.cells.front().place, true});
+        table.sheet.rows.push_back(std::move(line));
+    }
+    GradingColumns found;
+    found.first_row = 1;
+    found.size.scale = columns.front().scale;
+    found.shares.push_back({1, {}, "", ShareMeaning::Passing, ShareUnit::Percent});
+    table.columns = std::move(found);
+    return table;
+}
+
+} // namespace
+
+std::vector<SheetTable> read_percentiles(const Sheet& sheet, Problems& problems) {
+    std::vector<SheetTable> tables;
+    for (std::size_t k = 0; k < std::min(sheet.rows.size(), most_titles) && tables.empty(); ++k) {
+        const SheetRow& header = sheet.rows[k];
+        const auto columns = find_columns(header);
+        const bool have_one_scale = std::ranges::all_of(columns, [&columns](const PercentileColumn& column) {
+            return column.scale == columns.front().scale;
+        });
+        if (header.is_comment || columns.size() < least_points || !have_one_scale) {
+            continue;
+        }
+        for (std::size_t r = k + 1; r < sheet.rows.size(); ++r) {
+            const SheetRow& row = sheet.rows[r];
+            const auto count = std::ranges::count_if(columns, [&](const PercentileColumn& column) {
+                return number_at(sheet, row, column.index).has_value();
+            });
+            if (!row.is_comment && count >= static_cast<std::ptrdiff_t>(least_points)) {
+                tables.push_back(table_of(sheet, header, row, columns));
+            }
+        }
+        if (!tables.empty()) {
+            problems.warning(
+                sheet_remark, header.place,
+                fmt::format("each line is a soil with the sizes at given percents passing: {} of them", columns.size())
+            );
+        }
+    }
+    return tables;
+}
+
+} // namespace suffuse::gradings
