@@ -78,7 +78,8 @@ struct NewVerb final : Verb {
         options
             .value(
                 "--psd", psd,
-                std::string("of your own soil ") + grading_text + "; it is read as by assess, whose flags say how"
+                std::string("of your own soil ") + grading_text +
+                    "; read as by assess: --size, --passing, --retained, --share, --mass, --by, --sheet, --rows"
             )
             .type("FILE")
             .excludes(example);

@@ -139,9 +139,18 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
         const auto [found, is_new] = index.try_emplace(name, soils.size());
         if (is_new) {
             soils.push_back(
-                {name, ShareMeaning::Passing, ShareUnit::Percent, {}, {}, {}, "", group.heading->place, row->place}
+                {name,
+                 ShareMeaning::Passing,
+                 ShareUnit::Percent,
+                 {},
+                 {},
+                 {},
+                 "GRAT_PERP",
+                 group.heading->place,
+                 row->place}
             );
         }
+        soils[found->second].size_heading = "GRAT_SIZE";
         soils[found->second].sieves.push_back(
             {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share), true}
         );

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace suffuse::gradings {
 
@@ -59,6 +60,40 @@ void clip_noise(std::vector<GradingPoint>& points, Problems& problems) {
     }
 }
 
+/// Where two analyses overlap, points of the hydrometer that contradict the sieves by a few percent are left out.
+void settle_overlap(const std::vector<GradingPoint>& sieves, std::vector<GradingPoint>& others, Problems& problems) {
+    constexpr double most = 0.03; // of two analyses, between sieves [-]
+    std::size_t count = 0;
+    double largest = 0;
+    Place place;
+    std::erase_if(others, [&](const GradingPoint& point) {
+        double below = 0, above = 1;
+        for (const GradingPoint& sieve : sieves) {
+            if (std::abs(sieve.diameter - point.diameter) <= 1e-9 * point.diameter) {
+                return false; // joined with it
+            }
+            sieve.diameter < point.diameter ? void(below = std::max(below, sieve.passing))
+                                            : void(above = std::min(above, sieve.passing));
+        }
+        const double off = std::max(below - point.passing, point.passing - above);
+        if (!(off > noise && off <= most)) {
+            return false;
+        }
+        place = count == 0 ? point.passing_place : place;
+        ++count, largest = std::max(largest, off);
+        return true;
+    });
+    if (count > 0) {
+        problems.warning(
+            sheet_remark, place,
+            fmt::format(
+                "{} of the second run contradict{} the first by up to {}: left out",
+                count == 1 ? "1 point" : fmt::format("{} points", count), count == 1 ? "s" : "", in_percent(largest)
+            )
+        );
+    }
+}
+
 /// Sizes that rise or fall in two runs: those of the sieves and those of the hydrometer.
 void order_two_runs(std::vector<GradingPoint>& points, Problems& problems) {
     const auto rising = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter < b.diameter; };
@@ -75,6 +110,13 @@ void order_two_runs(std::vector<GradingPoint>& points, Problems& problems) {
             sheet_remark, (turn - shared)->diameter_place,
             "a second run of sizes begins here, as of a hydrometer below the sieves: both are joined into one curve"
         );
+        std::vector<GradingPoint> sieves(points.begin(), turn), others(turn, points.end());
+        if (sieves.front().diameter + sieves.back().diameter < others.front().diameter + others.back().diameter) {
+            std::swap(sieves, others);
+        }
+        settle_overlap(sieves, others, problems);
+        points = std::move(sieves);
+        points.insert(points.end(), others.begin(), others.end());
         std::stable_sort(points.begin(), points.end(), rising);
         return true;
     };
