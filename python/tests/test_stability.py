@@ -33,6 +33,15 @@ def test_says_what_the_program_says(dyke):
         ours.verdict("kezdi")
 
 
+def test_columns_of_a_file_may_be_named(dyke, tmp_path):
+    named = tmp_path / "named.csv"
+    named.write_text(GAP_GRADED.replace("d [mm],passing [%]", "A,B"))
+    ours = suffuse.assess(named, size="A:mm", passing=2, rows="1-8")
+    assert ours["criteria"] == suffuse.assess(dyke)["criteria"]
+    with pytest.raises(suffuse.CaseError, match="there is no column `C`"):
+        suffuse.assess(named, size="A:mm", passing="C")
+
+
 def test_takes_arrays_and_texts_with_units(dyke):
     size = numpy.array([0.02, 0.1, 0.3, 1, 2, 8, 31.5]) * 1e-3
     finer = numpy.array([0, 0.09, 0.21, 0.24, 0.31, 0.66, 1])

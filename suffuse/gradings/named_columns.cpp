@@ -190,6 +190,10 @@ private:
             );
             return is_all && (numbers < 2 || headings[k].kind == ColumnKind::Sample);
         });
+        if (shares_.empty()) {
+            complain(fmt::format("{}: no column has two numbers", share_.option), "name the column of shares");
+            return std::nullopt;
+        }
         return build(header, first, headings, keys);
     }
 

@@ -88,6 +88,8 @@ TEST(NamedColumns, ErrorsNameWhatIsWrong) {
         EXPECT_TRUE(parsed.soils.empty());
         EXPECT_NE(messages_of(parsed).find(words), std::string::npos) << words << "\n" << messages_of(parsed);
     }
+    const ParsedSheet one = parse_sheet("d,x\n1,5\n2,\n", "sheet.csv", columns("1", &ReadingOptions::share, "all"));
+    EXPECT_NE(messages_of(one).find("no column has two numbers"), std::string::npos);
     ReadingOptions lines;
     lines.rows = "12";
     EXPECT_NE(messages_of(parse_sheet(sheet, "sheet.csv", lines)).find("are no lines"), std::string::npos);
