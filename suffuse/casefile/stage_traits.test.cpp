@@ -1,15 +1,24 @@
 #include "suffuse/casefile/stage_traits.hpp"
 
+#include "suffuse/casefile/case_for_tests.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/stage_list.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include "tests/support/reference.hpp"
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
 
 namespace {
 
 using namespace suffuse;
 using namespace suffuse::casefile;
+using suffuse::casefile::testing::full_case;
 
 TEST(StageTraits, EachSpecHasTheRowOfItsVerb) {
     EXPECT_EQ(traits_of(StageSpec{ImportSpec{}}).verb, "import");
@@ -45,6 +54,49 @@ TEST(StageTraits, TheRowsAgreeWithThemselves) {
         for (const std::string_view measure : traits.measures) {
             EXPECT_TRUE(measure.empty() || std::ranges::count(names::measures, measure) == 1) << measure;
         }
+    }
+}
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+/// The paragraph or table of a page that begins so; empty where there is none.
+std::string part_of(const std::string& page, const std::string& begin) {
+    const std::string text = text_of(test::in_checkout(page));
+    const std::size_t at = text.find(begin);
+    return at == std::string::npos ? "" : text.substr(at, text.find("\n\n", at) - at);
+}
+
+TEST(StageTraits, PagesThatListAllVerbsHaveEachOfThem) {
+    const std::string resumes = part_of("docs/first-run.md", "| stage | resumes |");
+    const std::string history = part_of("docs/formats.md", "`history.csv`: one row");
+    for (const StageTraits& traits : stage_traits) {
+        const std::string name = fmt::format("`{}`", traits.verb);
+        EXPECT_NE(resumes.find(name), std::string::npos) << name << ": docs/first-run.md, where a stage resumes";
+        EXPECT_NE(history.find(name), std::string::npos) << name << ": docs/formats.md, rows of history.csv";
+    }
+}
+
+/// All files below a folder whose names end so.
+std::string texts_below(const std::string& folder, std::string_view ending) {
+    std::string text;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(test::in_checkout(folder))) {
+        text += entry.path().string().ends_with(ending) ? text_of(entry.path()) : "";
+    }
+    return text;
+}
+
+TEST(StageTraits, TestsOfAllVerbsHaveEachOfThem) {
+    const std::string compared = texts_below("examples", ".toml") + texts_below("tools/same_results", ".toml");
+    const std::string scenarios = texts_below("tests/scenarios", ".cpp");
+    for (const StageTraits& traits : stage_traits) {
+        const std::regex stage(fmt::format(R"(\bdo *= *\\?"{}\\?")", traits.verb));
+        EXPECT_TRUE(std::regex_search(full_case, stage)) << traits.verb << ": full_case in case_for_tests.hpp";
+        EXPECT_TRUE(std::regex_search(compared, stage)) << traits.verb << ": tools/same_results/rest.toml";
+        EXPECT_TRUE(std::regex_search(scenarios, stage)) << traits.verb << ": a scenario in tests/scenarios/";
     }
 }
 
