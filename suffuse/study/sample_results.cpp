@@ -1,5 +1,6 @@
 #include "suffuse/study/sample_results.hpp"
 
+#include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/study/erosion_story.hpp"
 
@@ -74,15 +75,13 @@ void add_flow(const record::FinishedStage& stage, Results& to) {
 
 /// The last state that was brought to rest before any test of the sample.
 void add_state(const record::FinishedStage& stage, bool& is_prepared, Results& to) {
-    const casefile::StageSpec& spec = stage.stage->spec;
-    const bool prepares = std::holds_alternative<packing::CompactSpec>(spec) ||
-                          std::holds_alternative<dem::SettleSpec>(spec) ||
-                          std::holds_alternative<casefile::ImportSpec>(spec);
+    const casefile::StageTraits& traits = casefile::traits_of(*stage.stage);
+    const bool prepares = traits.origin == casefile::Origin::File || (traits.ends_balanced && !traits.loses_grains);
     const bool has_stress = stage.numbers.at("mean_stress").is_number() && stage.numbers.at("mean_stress") > 0;
     if (prepares && !is_prepared && has_stress && stage.numbers.at("void_ratio").is_number()) {
         to[Result::VoidRatio] = stage.numbers.at("void_ratio").get<double>();
     }
-    is_prepared = is_prepared || !(prepares || std::holds_alternative<packing::PackSpec>(spec));
+    is_prepared = is_prepared || !(prepares || traits.makes_sample());
 }
 
 } // namespace
