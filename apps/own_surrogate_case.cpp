@@ -16,7 +16,7 @@
 namespace suffuse::apps {
 namespace {
 
-constexpr std::string_view case_form =
+constexpr std::string_view surrogate_form =
     R"(# Which gradients move the fines of {name}? The soil is too wide to simulate. Two fractions stand for it:
 # a surrogate, with its fines content and {ratio_note}
 # `#~` marks assumed values; the report lists them on its first page.
@@ -93,7 +93,7 @@ std::string own_case_text(const OwnSurrogate& own, const OwnConditions& conditio
         own.ratios.front() * std::sqrt(surrogate.coarse_width * surrogate.fines_width) >= casefile::wide_grading;
     const std::string of_soil = short_number(surrogate.ratio_of_soil);
     return fmt::format(
-        case_form, fmt::arg("name", own.name),
+        surrogate_form, fmt::arg("name", own.name),
         fmt::arg(
             "ratio_note", own.is_extrapolated() ? fmt::format(
                                                       "size ratios up to {:g}.\n# The soil's ratio D50/d50 of {} would "
