@@ -296,7 +296,8 @@ private:
                 soil.size_heading = text_at(sheet_.rows[columns_.first_row - 1], columns_.size.index);
             }
             soil.is_by_number = columns_.is_by_number;
-            soil.size_unit = scale_name(columns_.size.scale);
+            soil.size_unit =
+                columns_.size.scale == SizeScale::SieveNumber ? "sieve numbers" : scale_name(columns_.size.scale);
             soils_.push_back(std::move(soil));
         }
         return soils_[found->second];
