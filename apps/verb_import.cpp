@@ -59,8 +59,7 @@ struct ImportVerb final : Verb {
             .value(
                 "--box", box,
                 "lower and upper corner of a box to cut out of a bed, in meters: the grains with their centers in it, "
-                "as a "
-                "periodic cell"
+                "as a periodic cell"
             )
             .type("X1,Y1,Z1,X2,Y2,Z2");
         options.value("--unit", unit, "of lengths without a unit in the file, as in mm; m unless given").type("UNIT");

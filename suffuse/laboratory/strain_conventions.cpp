@@ -104,8 +104,7 @@ void settle_volumetric_strain(const RecordReview& review, std::optional<bool> co
         return;
     }
     review.refuse(fmt::format(
-        "column \"{}\" may be positive in contraction or in expansion, and no void ratio decides; give "
-        "--contraction "
+        "column \"{}\" may be positive in contraction or in expansion, and no void ratio decides; give --contraction "
         "positive or --contraction negative",
         strain->heading
     ));

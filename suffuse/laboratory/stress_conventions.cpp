@@ -115,8 +115,7 @@ void check_stresses_are_compressive(const RecordReview& review) {
         const TestColumn* column = review.record.find(q);
         if (column != nullptr && review.sum([&](std::size_t k, std::size_t) { return column->values[k]; }) < 0) {
             review.refuse(fmt::format(
-                "column \"{}\" is negative in the mean: compression seems to be negative, or a total stress below "
-                "the "
+                "column \"{}\" is negative in the mean: compression seems to be negative, or a total stress below the "
                 "pore pressure is meant; write compressive stresses and strains with a positive sign",
                 column->heading
             ));
