@@ -231,7 +231,11 @@ std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Ro
     for (const Estimate& estimate : estimates) {
         texts.push_back(fmt::format("{:.2f} ({})", estimate.gradient, estimate.by));
     }
-    std::string text = fmt::format("Estimates of the gradient that moves 1 %: {}.", fmt::join(texts, ", "));
+    const grains::Surrogate* const surrogate = story.surrogate();
+    std::string text = fmt::format(
+        "Estimates of the gradient that moves 1 %{}: {}.",
+        surrogate == nullptr ? "" : " at a size ratio of " + short_number(surrogate->size_ratio), fmt::join(texts, ", ")
+    );
     if (story.specified_gradient && *story.specified_gradient > 0) {
         const auto [least, most] = std::ranges::minmax_element(estimates, {}, &Estimate::gradient);
         const double specified = *story.specified_gradient;

@@ -140,14 +140,13 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     describe_confidence(results, opening);
     opening.cards = cards_of(results, findings);
     const study::MobilityStory* const main = study::main_mobility(results.mobility);
-    if (main != nullptr && question == Question::Weight) {
-        opening.estimates = estimates_of(*main);
-        opening.doubts = doubts_about(*main);
-        if (auto text = disagreement(*main)) {
+    const bool has_one_answer = main != nullptr && question == Question::Weight;
+    if (const auto* const story = has_one_answer ? main : nearest_surrogate(results.mobility)) {
+        opening.estimates = estimates_of(*story);
+        opening.doubts = doubts_about(*story);
+        if (auto text = disagreement(*story)) {
             opening.disagreement.push_back(std::move(*text));
         }
-    } else if (const study::MobilityStory* const surrogate = nearest_surrogate(results.mobility)) {
-        opening.doubts = doubts_about(*surrogate);
     }
     opening.pictures = pictures_for(question);
     opening.shows_grains =
