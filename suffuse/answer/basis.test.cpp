@@ -65,8 +65,9 @@ TEST_F(Basis, NamesEveryEstimateOfTheGradientAndTheirRangeOverTheSpecifiedOne) {
 TEST_F(Basis, ASurrogatesEstimatesNameItsSizeRatio) {
     const grains::Grading gravel{{0.005e-3, 0.08e-3, 1e-3, 4e-3}, {0, 0.2, 0.2, 1}, ""};
     variant_.soil = grains::surrogate_of(gravel, {.finer_than = 0.3e-3, .size_ratio = 10});
-    EXPECT_EQ(estimates_of(story(20, 0), {}).find("Estimates of the gradient that moves 1 % at a size ratio of 10: "), 0U)
-        << estimates_of(story(20, 0), {});
+    EXPECT_EQ(
+        estimates_of(story(20, 0), {}).find("Estimates of the gradient that moves 1 % at a size ratio of 10: "), 0U
+    ) << estimates_of(story(20, 0), {});
 }
 
 TEST_F(Basis, UnderLevelFlowNothingIsLiftedAndTheVerdictHasTheOnlyEstimate) {

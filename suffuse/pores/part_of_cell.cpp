@@ -62,8 +62,8 @@ bool is_near_whole(double x) {
 
 class GhostTriangulation {
 public:
-    GhostTriangulation(const ExactPacking& packing, const Cuts& cuts, const Part& part)
-        : packing_(packing), cuts_(cuts), part_(part),
+    GhostTriangulation(const ExactPacking& packing, const Cuts& cuts, const Part& part, Care care)
+        : packing_(packing), cuts_(cuts), part_(part), care_(care),
           smallest_(*std::min_element(packing.radius.begin(), packing.radius.end())) {
         for (std::size_t a = 0; a < 3; ++a) {
             low_[a] = static_cast<double>(part[a]) / cuts[a];
@@ -71,7 +71,8 @@ public:
         }
     }
 
-    /// Adds images around the part until no image that is left out can be in conflict with a tetrahedron that is kept.
+    /// Adds images around the part until no image that is left out can be in conflict with a tetrahedron that is kept,
+    /// or, with care, with one that may touch the part.
     void cover() {
         double reach = initial_reach * packing_.spacing;
         insert_images(reach);
@@ -192,6 +193,24 @@ private:
         return true;
     }
 
+    /// Whether a tetrahedron may have a point in the part.
+    [[nodiscard]] bool may_touch(Regular::Cell_handle t) const {
+        Vec3 least{unlimited, unlimited, unlimited}, most = -least;
+        for (const Corner& c : corners(t)) {
+            const Vec3 s = packing_.inverse_h * place(c);
+            for (int a = 0; a < 3; ++a) {
+                least[a] = std::min(least[a], s[a]), most[a] = std::max(most[a], s[a]);
+            }
+        }
+        for (int a = 0; a < 3; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            if (most[a] < low_[k] - near || least[a] > high_[k] + near) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /// Whole periods n for which a surface of radius r at fractional coordinate s + n is within `reach` of the part.
     struct Range {
         std::int32_t first, last;
@@ -242,11 +261,15 @@ private:
         double needed = 0;
         for (auto t = triangulation_.all_cells_begin(); t != triangulation_.all_cells_end(); ++t) {
             t->info() = PartTetrahedra::none;
-            if (triangulation_.is_infinite(t) || !is_ours(t)) {
+            if (triangulation_.is_infinite(t)) {
                 continue;
             }
-            t->info() = static_cast<std::uint32_t>(kept_.size());
-            kept_.push_back(t);
+            if (is_ours(t)) {
+                t->info() = static_cast<std::uint32_t>(kept_.size());
+                kept_.push_back(t);
+            } else if (care_ == Care::Kept || !may_touch(t)) {
+                continue;
+            }
             needed = std::max(needed, needed_reach(t));
         }
         // A part inside one large void may have no centroid; what is missing otherwise shows when the parts are joined.
@@ -289,6 +312,7 @@ private:
     const ExactPacking& packing_;
     const Cuts& cuts_;
     const Part& part_;
+    Care care_;
     std::array<double, 3> low_{}, high_{}; ///< of the part, fractional coordinates
     double smallest_;
     double reach_ = 0; ///< [-], of the surfaces of the images inserted
@@ -299,8 +323,8 @@ private:
 
 } // namespace
 
-PartTetrahedra triangulate_part(const ExactPacking& packing, const Cuts& cuts, const Part& part) {
-    GhostTriangulation ghosts(packing, cuts, part);
+PartTetrahedra triangulate_part(const ExactPacking& packing, const Cuts& cuts, const Part& part, Care care) {
+    GhostTriangulation ghosts(packing, cuts, part, care);
     ghosts.cover();
     return ghosts.extract();
 }

@@ -31,7 +31,14 @@ struct PartTetrahedra {
     double reach = 0;                                   ///< distance from the part at which surfaces were needed [-]
 };
 
+/// Which tetrahedra must be free of conflicts with images that are left out.
+enum class Care : std::uint8_t {
+    Kept,  ///< those that are kept. One that is missing shows when parts are joined: its neighbors have an open facet
+    Whole, ///< all that may touch the part, so that none can be missing: takes more images
+};
+
 /// @throws GeometryError where no images are enough.
-PartTetrahedra triangulate_part(const ExactPacking& packing, const Cuts& cuts, const Part& part);
+PartTetrahedra
+triangulate_part(const ExactPacking& packing, const Cuts& cuts, const Part& part, Care care = Care::Whole);
 
 } // namespace suffuse::pores

@@ -44,13 +44,13 @@ Cuts choose_cuts(const ExactPacking& packing, int parts) {
     return cuts;
 }
 
-std::vector<PartTetrahedra> triangulate_parts(const ExactPacking& packing, const Cuts& cuts) {
+std::vector<PartTetrahedra> triangulate_parts(const ExactPacking& packing, const Cuts& cuts, Care care) {
     std::vector<PartTetrahedra> parts(static_cast<std::size_t>(cuts[0] * cuts[1] * cuts[2]));
     parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             const int k = static_cast<int>(p);
             const Part part = {k % cuts[0], k / cuts[0] % cuts[1], k / (cuts[0] * cuts[1])};
-            parts[p] = triangulate_part(packing, cuts, part);
+            parts[p] = triangulate_part(packing, cuts, part, care);
         }
     });
     return parts;
@@ -211,14 +211,20 @@ bool join_parts(const ExactPacking& packing, const std::vector<PartTetrahedra>& 
 } // namespace
 
 Triangulation triangulate(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, int parts) {
-    // Exact predicates with a translation-invariant tie rule serve lattices as they are. Should images of the cell be
-    // triangulated differently after all, grains are moved by a trifle to decide the ties; geometry keeps the true
-    // ones.
+    // Few images serve nearly all packings: should a tetrahedron be missing, more are taken. Exact predicates with a
+    // translation-invariant tie rule serve lattices as they are. Should images of the cell be triangulated differently
+    // after all, grains are moved by a trifle to decide the ties; geometry keeps the true ones.
+    struct Attempt {
+        double jitter;
+        Care care;
+    };
+
     std::string defect;
-    for (const double jitter : {0.0, 1e-9, 1e-7}) {
+    for (const auto [jitter, care] :
+         {Attempt{0, Care::Kept}, {0, Care::Whole}, {1e-9, Care::Whole}, {1e-7, Care::Whole}}) {
         const ExactPacking packing = exact_packing(h, position, radius, jitter);
         Triangulation result;
-        if (!join_parts(packing, triangulate_parts(packing, choose_cuts(packing, parts)), result)) {
+        if (!join_parts(packing, triangulate_parts(packing, choose_cuts(packing, parts), care), result)) {
             defect = "images of the cell are not triangulated alike";
             continue;
         }

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/pores/lattice.hpp"
+#include "suffuse/pores/part_of_cell.hpp"
 #include "suffuse/pores/power_center.hpp"
 #include "suffuse/pores/triangulation_check.hpp"
 
@@ -147,6 +148,18 @@ TEST(Triangulation, PartsMayBeEmpty) {
     const Triangulation cut = pores::triangulate(corner.h, corner.position, corner.radius, 64);
     EXPECT_EQ(cut.grain, whole.grain);
     EXPECT_EQ(cut.neighbor, whole.neighbor);
+}
+
+TEST(Triangulation, TakesMoreImagesWhereATetrahedronIsMissing) {
+    const Packing packing = test::reference_spheres("moved_fines");
+    const ExactPacking exact = exact_packing(packing.h, packing.position, packing.radius);
+    const std::size_t of_few = triangulate_part(exact, {1, 1, 1}, {0, 0, 0}, Care::Kept).corner.size();
+    for (const int parts : {1, 4}) {
+        const Triangulation t = pores::triangulate(packing.h, packing.position, packing.radius, parts);
+        EXPECT_GT(t.size(), of_few);
+        EXPECT_EQ(t.jitter, 0);
+        EXPECT_EQ(find_defect(t, packing.h, packing.position), std::nullopt);
+    }
 }
 
 TEST(Triangulation, SameAtAnyScale) {
