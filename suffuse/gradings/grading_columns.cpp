@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 #include <utility>
 
@@ -117,40 +118,37 @@ private:
         if (heading.kind != ColumnKind::Size) {
             return 0;
         }
-        std::size_t sizes = 0, others = 0;
+        std::size_t sizes = 0, others = 0, classes = 0;
         for (std::size_t k = found_.first_row; k < sheet_.rows.size() && k < found_.first_row + most_titles; ++k) {
             const SheetRow& row = sheet_.rows[k];
             if (!row.is_comment && !is_blank(text_at(row, column)) &&
                 read_row_word(text_at(row, column)) == RowWord::None) {
                 ++(is_size(sheet_, row, column) ? sizes : others);
+                classes += split_size_text(text_at(row, column)).sense == SizeSense::Class ? 1U : 0U;
             }
         }
         const bool is_metric = heading.scale == SizeScale::Millimeters || heading.scale == SizeScale::Micrometers ||
                                heading.scale == SizeScale::Meters || heading.scale == SizeScale::Centimeters;
         const bool is_nominal = heading.scale == SizeScale::SieveNumber || heading.scale == SizeScale::Inches;
-        const bool names_sieve_alone = plain_words(header_->cells[column].text).find("sieve") != std::string::npos;
-        const int named = is_nominal ? 2 : names_sieve_alone ? 3 : 5;
-        return sizes < others ? 1 : heading.is_length_alone ? 4 : is_metric ? 6 : named;
+        const int named = is_nominal ? 2 : heading.names_sieve_alone ? 3 : 5;
+        const int rank = sizes < others ? 1 : heading.is_length_alone ? 4 : is_metric ? 6 : named;
+        return classes > 0 ? rank + 1 : rank; // "mean D" next to the bounds of a class
     }
 
     bool choose_size() {
-        std::size_t best = headings_.size();
-        int best_rank = 0;
-        for (std::size_t k = 0; k < headings_.size(); ++k) {
-            const int rank = rank_of_size(k);
-            if (rank > 0 && rank == best_rank && take_bounds(best, k)) {
-                continue;
-            }
-            if (rank > 0 && rank == best_rank) {
+        std::vector<int> ranks(headings_.size());
+        std::ranges::generate(ranks, [this, k = std::size_t{0}]() mutable { return rank_of_size(k++); });
+        const auto highest = std::ranges::max_element(ranks);
+        const int best_rank = highest == ranks.end() ? 0 : *highest;
+        auto best = static_cast<std::size_t>(highest - ranks.begin());
+        for (std::size_t k = best + 1; k < headings_.size(); ++k) {
+            if (best_rank > 0 && ranks[k] == best_rank && !take_bounds(best, k)) {
                 problems_.error(
                     "E506", header_->cells[k].place,
                     fmt::format("`{}` and `{}` mean the same", header_->cells[best].text, header_->cells[k].text),
                     "keep one of the two columns, or rename the other so that it is ignored"
                 );
                 return false;
-            }
-            if (rank > best_rank) {
-                best = k, best_rank = rank;
             }
         }
         if (best_rank == 0) {
@@ -211,7 +209,15 @@ private:
                 return take_shares(columns);
             }
         }
-        const auto gross = columns_of(ColumnKind::Gross), tare = columns_of(ColumnKind::Tare);
+        auto gross = columns_of(ColumnKind::Gross), tare = columns_of(ColumnKind::Tare);
+        if (gross.empty() && tare.size() == 2) { // "sieve mass" and "sieve soil mass": what is on it never weighs less
+            if (is_never_less(tare[0], tare[1])) {
+                std::swap(tare[0], tare[1]);
+            }
+            if (is_never_less(tare[1], tare[0])) {
+                gross = {tare[1]}, tare = {tare[0]};
+            }
+        }
         if (!gross.empty()) {
             return take_weighings(gross, tare);
         }
@@ -224,6 +230,13 @@ private:
             sheet_.rows.begin() + static_cast<std::ptrdiff_t>(std::min(found_.first_row, sheet_.rows.size())),
             sheet_.rows.end(), [&](const SheetRow& row) { return number_at(sheet_, row, column).has_value(); }
         );
+    }
+
+    [[nodiscard]] bool is_never_less(std::size_t column, std::size_t than) const {
+        return std::ranges::all_of(sheet_.rows, [&](const SheetRow& row) {
+            const auto value = number_at(sheet_, row, column), other = number_at(sheet_, row, than);
+            return !value || !other || *value >= *other;
+        });
     }
 
     /// One column, or one for each soil; of percents rather than of masses.
@@ -315,9 +328,15 @@ private:
                                 (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
             may_be ? candidates.push_back(k) : void();
         }
+        const auto has_unit = [this](std::size_t k) { return headings_[k].unit != ShareUnit::Unknown; };
+        if (std::ranges::any_of(candidates, has_unit)) { // "class" next to "freq. (%)"
+            std::erase_if(candidates, std::not_fn(has_unit));
+        }
         const auto columns = find_share_columns(sheet_, found_.first_row, found_.size, candidates);
         for (const auto& [k, amounts] : columns) {
-            found_.shares.push_back({k, {}, header_->cells[k].text, ShareMeaning::Unstated, headings_[k].unit, false});
+            const bool is_split = has_unit(k) && !headings_[k].rest.empty();
+            const std::string& name = is_split ? headings_[k].rest : header_->cells[k].text;
+            found_.shares.push_back({k, {}, name, ShareMeaning::Unstated, headings_[k].unit, false});
         }
         if (found_.shares.empty()) {
             problems_.error(

@@ -125,6 +125,9 @@ private:
                                     : "skipped: it has no size and is the sum of the rows above"
             );
         }
+        if (is_pan_by_content(row)) {
+            return read_pan(row, word);
+        }
         const auto size = cells_.read_size(row);
         if (!size) {
             return;
@@ -183,6 +186,28 @@ private:
             }
             const bool is_own_sum = value && *value > 0 && std::abs(*value - sum) <= rounding * *value;
             return is_blank(text_at(row, share.index)) || (keeps(share.meaning) && is_own_sum);
+        });
+    }
+
+    /// Whether a word in place of a size can only be the pan: with it, the percents are complete.
+    [[nodiscard]] bool is_pan_by_content(const SheetRow& row) const {
+        constexpr double rounding = 0.5; // of the sum of percents with one digit
+        const std::string& text = text_at(row, columns_.size.index);
+        if (is_blank(text) || text.find_first_of("0123456789") != std::string::npos) {
+            return false;
+        }
+        return std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
+            const auto value = number_at(sheet_, row, share.index);
+            double above = 0;
+            for (std::size_t k = columns_.first_row; &sheet_.rows[k] != &row; ++k) {
+                above += number_at(sheet_, sheet_.rows[k], share.index).value_or(0);
+            }
+            const double whole = share.meaning == ShareMeaning::OnSieve   ? above + value.value_or(0)
+                                 : share.meaning == ShareMeaning::Passing ? 100 - value.value_or(1)
+                                                                          : value.value_or(0);
+            return value && share.unit == ShareUnit::Percent && share.meaning != ShareMeaning::Retained &&
+                   !is_open(share.meaning) &&
+                   std::abs(whole - 100) <= (share.meaning == ShareMeaning::OnSieve ? rounding : 0);
         });
     }
 

@@ -136,7 +136,7 @@ bool take_mass(const Roles& roles, bool weighed, Heading& heading) {
         return true;
     }
     if (weighed && names_sieve && (roles.has(Role::And) || roles.has(Role::Gross)) &&
-        (roles.has(Role::Soil) || roles.has(Role::Retained))) {
+        (roles.has(Role::Soil) || roles.has(Role::Sample) || roles.has(Role::Retained))) {
         heading.kind = ColumnKind::Gross;
         return true;
     }
@@ -177,6 +177,7 @@ void take_other_kind(const Roles& roles, const std::string& words, Heading& head
         heading.scale = is_of_hydrometer ? SizeScale::Unknown : heading.scale;
     } else if (roles.has(Role::Size) || roles.has(Role::Sieve) || roles.has(Role::Phi) || names_mesh) {
         heading.kind = ColumnKind::Size;
+        heading.names_sieve_alone = roles.has(Role::Sieve) && !roles.has(Role::Size);
         if (roles.has(Role::Phi)) {
             heading.scale = SizeScale::Phi;
         } else if (roles.has(Role::Number) && heading.scale == SizeScale::Unknown) {

@@ -36,8 +36,9 @@ struct Heading {
     ShareUnit unit = ShareUnit::Unknown;
     SizeScale scale = SizeScale::Unknown;
     bool names_depth = false;
-    bool is_bare_mass = false;    ///< "Mass (g)": of what the sieve keeps, unless sieves were weighed
-    bool is_length_alone = false; ///< "L, cm": nothing but its unit says that it is a size
+    bool is_bare_mass = false;      ///< "Mass (g)": of what the sieve keeps, unless sieves were weighed
+    bool names_sieve_alone = false; ///< "std sieve": its name, where another column may have its opening
+    bool is_length_alone = false;   ///< "L, cm": nothing but its unit says that it is a size
     const char* mass_unit = "g";
     std::string own_unit; ///< in brackets, as written
     std::string rest;     ///< the words that say none of this: the name of a sample, as written

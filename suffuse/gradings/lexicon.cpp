@@ -167,7 +167,7 @@ constexpr auto results = std::to_array<Words<DerivedValue::Kind>>({
 });
 
 constexpr auto topics = std::to_array<Words<Topic>>({
-    {Topic::Pan, "pan,receiver,bottom,fond,fondo,schale,boden,bodenschale,bodenblech,auffangschale,bandeja,ciego,"
+    {Topic::Pan, "pan,receiver,bottom,fond,fondo,fundo,schale,boden,bodenschale,bodenblech,auffangschale,bandeja,ciego,"
                  "cazuela,rest,base,fondello"},
     {Topic::PanOrNote, "bottom,boden,rest,base"},
     {Topic::Total, "total,totals,sum,summe,somme,suma,totale,gesamt,somma,gesamtmasse"},

@@ -36,11 +36,13 @@ std::vector<PercentileColumn> find_columns(const SheetRow& row) {
     return columns;
 }
 
-/// The names of a soil: of all columns of samples.
+/// The names of a soil: of all columns of samples; without one, of a first column without a heading.
 std::string name_of(const SheetRow& header, const SheetRow& row) {
     std::string name;
     for (std::size_t k = 0; k < header.cells.size(); ++k) {
-        if (read_heading(header.cells[k].text).kind == ColumnKind::Sample && !is_blank(text_at(row, k))) {
+        const bool is_named = read_heading(header.cells[k].text).kind == ColumnKind::Sample;
+        const bool is_index = k == 0 && is_blank(header.cells[k].text);
+        if ((is_named || is_index) && !is_blank(text_at(row, k))) {
             name += fmt::format("{}{}", name.empty() ? "" : " ", text_at(row, k));
         }
     }

@@ -8,8 +8,11 @@ namespace suffuse::gradings {
 
 std::string size_among_words(std::string_view text) {
     constexpr std::size_t longest = 80; // of a heading
-    if (text.size() > longest || text.find_first_of("0123456789") == std::string_view::npos ||
-        read_heading(text).kind != ColumnKind::Share) {
+    if (text.size() > longest || text.find_first_of("0123456789") == std::string_view::npos) {
+        return {};
+    }
+    const ColumnKind kind = read_heading(text).kind;
+    if (kind != ColumnKind::Share && kind != ColumnKind::Tare) { // "Sieve_2000um_g"
         return {};
     }
     constexpr std::string_view marks = " <>_()";

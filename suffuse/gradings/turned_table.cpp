@@ -167,6 +167,9 @@ private:
     [[nodiscard]] Heading find_meaning() const {
         const SheetRow& sieves = sheet_.rows[across_.row];
         Heading heading = read_heading(sieves.cells[across_.columns.front()].text);
+        if (heading.kind == ColumnKind::Tare) { // "Sieve_2000um_g": of many sieves, what each keeps
+            heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Retained;
+        }
         if (is_stated(heading)) {
             heading.scale = SizeScale::Unknown;
             return heading;
