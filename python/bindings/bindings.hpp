@@ -19,6 +19,7 @@ void bind_own_rule(pybind11::module_& m);    ///< what a rule of Python's is giv
 void bind_erosion(pybind11::module_& m);     ///< passes of the erosion; after bind_world
 void bind_resolved(pybind11::module_& m);    ///< flow on a grid
 void bind_files(pybind11::module_& m);       ///< packings from and for other programs
+void bind_laboratory(pybind11::module_& m);  ///< records of laboratory tests
 void bind_stability(pybind11::module_& m);   ///< what a grading says
 void bind_cases(pybind11::module_& m);       ///< case files, plans, the schema
 void bind_runs(pybind11::module_& m);

@@ -47,6 +47,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_erosion(m);
     python::bind_resolved(m);
     python::bind_files(m);
+    python::bind_laboratory(m);
     python::bind_stability(m);
     python::bind_cases(m);
     python::bind_runs(m);

@@ -326,7 +326,9 @@ private:
         for (std::size_t k = 0; k < headings_.size(); ++k) {
             const bool may_be = headings_[k].kind == ColumnKind::Other ||
                                 (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
-            may_be ? candidates.push_back(k) : void();
+            if (may_be) {
+                candidates.push_back(k);
+            }
         }
         const auto has_unit = [this](std::size_t k) { return headings_[k].unit != ShareUnit::Unknown; };
         if (std::ranges::any_of(candidates, has_unit)) { // "class" next to "freq. (%)"

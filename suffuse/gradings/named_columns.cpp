@@ -181,7 +181,9 @@ private:
         std::vector<std::size_t> keys;
         for (std::size_t k = 0; k < headings.size(); ++k) {
             const bool is_used = k == size_column_ || (!is_all && std::ranges::find(shares_, k) != shares_.end());
-            headings[k].kind == ColumnKind::Sample && !is_used ? keys.push_back(k) : void();
+            if (headings[k].kind == ColumnKind::Sample && !is_used) {
+                keys.push_back(k);
+            }
         }
         std::erase_if(shares_, [&](std::size_t k) {
             const auto numbers = std::count_if(

@@ -103,7 +103,9 @@ private:
                 derived && (derived->kind == DerivedValue::Kind::Gravel || derived->kind == DerivedValue::Kind::Sand ||
                             derived->kind == DerivedValue::Kind::Silt || derived->kind == DerivedValue::Kind::Clay ||
                             derived->kind == DerivedValue::Kind::Fines || derived->kind == DerivedValue::Kind::Cobbles);
-            is_class ? classes.push_back(cell.text) : void();
+            if (is_class) {
+                classes.push_back(cell.text);
+            }
         }
         if (classes.size() < 2) {
             return false;
