@@ -1,5 +1,6 @@
 #include "suffuse/answer/basis.hpp"
 
+#include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/atlas/look_up.hpp"
 #include "suffuse/base/grouped.hpp"
@@ -233,7 +234,7 @@ std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Ro
     }
     const grains::Surrogate* const surrogate = story.surrogate();
     std::string text = fmt::format(
-        "Estimates of the gradient that moves 1 %{}: {}.",
+        "{} flow{} moves 1 % of the fines at estimated gradients of {}.", flow_in_words(story.one()),
         surrogate == nullptr ? "" : " at a size ratio of " + short_number(surrogate->size_ratio), fmt::join(texts, ", ")
     );
     if (story.specified_gradient && *story.specified_gradient > 0) {

@@ -10,8 +10,8 @@
 
 namespace suffuse::answer {
 
-/// "Estimates of the gradient that moves 1 %: 0.14 (...), 0.22 (...), 0.20 (simulated). Over the specified 0.3: ...";
-/// empty where there is one alone, which the verdict has.
+/// "Upward flow moves 1 % of the fines at estimated gradients of 0.14 (...), 0.20 (simulated). Over the specified 0.3:
+/// ..."; empty where there is one alone, which the verdict has.
 /// @param rows of the atlas, which has an estimate for each of its densities if the soil is within it
 std::string
 estimates_of(const study::MobilityStory& story, const std::vector<atlas::Row>& rows = atlas::shipped_rows());

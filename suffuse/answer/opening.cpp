@@ -111,6 +111,17 @@ void describe_confidence(const RunResults& results, Opening& opening) {
             : fmt::format("{} each. Numbers are means, ± one standard deviation.", as_sentence(grains));
 }
 
+/// Of the story; else, as nothing but the simulation estimates a level flow, of another flow through the same sample.
+std::string estimates_for(const std::vector<study::MobilityStory>& stories, const study::MobilityStory& story) {
+    std::string estimates = estimates_of(story);
+    for (const study::MobilityStory& other : stories) {
+        if (estimates.empty() && other.first->variant == story.first->variant) {
+            estimates = estimates_of(other);
+        }
+    }
+    return estimates;
+}
+
 std::vector<std::string> pictures_for(Question question) {
     switch (question) {
     case Question::Fines:
@@ -142,7 +153,7 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     const study::MobilityStory* const main = study::main_mobility(results.mobility);
     const bool has_one_answer = main != nullptr && question == Question::Weight;
     if (const auto* const story = has_one_answer ? main : nearest_surrogate(results.mobility)) {
-        opening.estimates = estimates_of(*story);
+        opening.estimates = estimates_for(results.mobility, *story);
         opening.doubts = doubts_about(*story);
         if (auto text = disagreement(*story)) {
             opening.disagreement.push_back(std::move(*text));
