@@ -188,6 +188,7 @@ ParsedCommand read_command_line(int argc, const char* const* argv) {
     std::string color = "auto";
     CLI::App app;
     app.fallthrough();
+    app.require_subcommand(0, 1); // so that `suffuse studio runs` names a folder, not a second verb
     app.set_version_flag("--version", std::string(), "which program this is");
     add_everywhere(app, command.line, color);
     const std::vector<std::shared_ptr<Verb>> verbs = add_verbs(app);

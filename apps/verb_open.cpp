@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/browser.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
@@ -12,9 +13,6 @@
 #include "apps/verbs.hpp"
 #include <filesystem>
 #include <memory>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace suffuse::apps {
 namespace {
@@ -33,18 +31,6 @@ struct OpenVerb final : Verb {
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
 };
 
-/// Whether the desktop took the page: xdg-open hands it to the browser that the user has chosen.
-bool show(const std::string& page) {
-    const std::string program = "xdg-open";
-    char* const words[] = {const_cast<char*>(program.c_str()), const_cast<char*>(page.c_str()), nullptr};
-    pid_t child = 0;
-    if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, words, environ) != 0) {
-        return false;
-    }
-    int status = 0;
-    return waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 int OpenVerb::act(const CommandLine&, const Console& console) const {
     const fs::path given = run, page = fs::is_directory(given) ? given / "report.html" : given;
     if (!fs::exists(page)) {
@@ -53,7 +39,7 @@ int OpenVerb::act(const CommandLine&, const Console& console) const {
         ));
     }
     const std::string path = fs::absolute(page).lexically_normal().string();
-    const bool is_shown = show(path);
+    const bool is_shown = open_in_browser(path);
     console.result(path);
     if (!is_shown) {
         console.talk("no browser could be opened (xdg-open): open this file in one");

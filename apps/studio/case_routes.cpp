@@ -1,0 +1,213 @@
+// A case: made from a curve or an example, checked, priced, and started as a run.
+
+#include "suffuse/base/read_text.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
+#include "suffuse/job/run_folder.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/studio/routes.hpp"
+#include "apps/studio/run_folders.hpp"
+#include <chrono>
+#include <optional>
+#include <regex>
+#include <sys/wait.h>
+#include <thread>
+
+namespace suffuse::studio {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A new case as the page holds it: its text, and the data that it names.
+json case_in(const fs::path& folder) {
+    json files = json::object();
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        const std::string name = entry.path().lexically_relative(folder).string();
+        if (entry.is_regular_file() && name != "case.toml") {
+            files[name] = read_whole_file(entry.path().string());
+        }
+    }
+    return {{"case", read_whole_file((folder / "case.toml").string())}, {"files", files}};
+}
+
+void make_case(const httplib::Request& request, httplib::Response& response) {
+    const ScratchFolder folder;
+    std::vector<std::string> words{"new", "case"};
+    if (request.has_file("curve")) {
+        words.push_back("--psd=" + take_upload(request, "curve", folder.path()));
+        add_options(
+            request,
+            {"sample", "size", "passing", "retained", "share", "mass", "by", "sheet", "rows", "fines", "sizes",
+             "particles", "pressure", "gradient", "flow"},
+            words
+        );
+        if (field(request, "surrogate") == "yes") {
+            words.emplace_back("--surrogate");
+        }
+    } else {
+        add_options(request, {"from"}, words);
+    }
+    ProgramCall call = call_program(words, folder.path());
+    if (call.code == 0) {
+        call.document.update(case_in(folder.path() / "case"));
+    }
+    answer_call(response, call);
+}
+
+/// Writes a case of the page and its data, fields "case" and "file:data/dam.csv", into a folder.
+void take_case(const httplib::Request& request, const fs::path& folder) {
+    static const std::regex plain("([A-Za-z0-9_][A-Za-z0-9._-]*/)?[A-Za-z0-9_][A-Za-z0-9._-]*");
+    const std::string mark = "file:";
+    io::write_file(folder / "case.toml", field(request, "case"));
+    for (const auto& [name, part] : request.files) {
+        if (!name.starts_with(mark)) {
+            continue;
+        }
+        const std::string path = name.substr(mark.size());
+        if (!std::regex_match(path, plain)) {
+            throw Refusal(400, "a file of a case is called like data/dam.csv");
+        }
+        io::make_folders((folder / path).parent_path());
+        io::write_file(folder / path, part.content);
+    }
+}
+
+/// `check`, and what it finds; nothing where the case has no error.
+std::optional<ProgramCall> errors_in(const fs::path& folder, const std::vector<std::string>& preset) {
+    std::vector<std::string> words{"check", "case.toml"};
+    words.insert(words.end(), preset.begin(), preset.end());
+    ProgramCall call = call_program(words, folder);
+    return call.code == 0 ? std::nullopt : std::optional(std::move(call));
+}
+
+ProgramCall plan_in(const fs::path& folder, const std::vector<std::string>& preset, const fs::path& cache) {
+    std::vector<std::string> words{"plan", "case.toml", "--cache=" + cache.string()};
+    words.insert(words.end(), preset.begin(), preset.end());
+    return call_program(words, folder);
+}
+
+void check(const httplib::Request& request, httplib::Response& response) {
+    const ScratchFolder folder;
+    take_case(request, folder.path());
+    std::vector<std::string> words{"check", "case.toml"};
+    add_options(request, {"preset"}, words);
+    answer_call(response, call_program(words, folder.path()));
+}
+
+void plan(const httplib::Request& request, httplib::Response& response, const Studio& studio) {
+    const ScratchFolder folder;
+    take_case(request, folder.path());
+    std::vector<std::string> preset;
+    add_options(request, {"preset"}, preset);
+    const std::optional<ProgramCall> errors = errors_in(folder.path(), preset);
+    answer_call(response, errors ? *errors : plan_in(folder.path(), preset, job::cache_next_to(studio.folder / "new")));
+}
+
+/// Memory of the runs that are at work, by their plans [B].
+double memory_in_use(const fs::path& folder) {
+    double bytes = 0;
+    for (const fs::path& run : runs_at_work(folder)) {
+        if (const fs::path file = run / "plan.json"; fs::is_regular_file(fs::symlink_status(file))) {
+            const json kept = json::parse(read_whole_file(file.string()), nullptr, false);
+            bytes += kept.is_object() ? kept.value("memory", 0.0) : 0.0;
+        }
+    }
+    return bytes;
+}
+
+/// @throws Refusal 409 where it would not fit next to what runs.
+void require_memory(const fs::path& folder, const json& plan) {
+    const double used = memory_in_use(folder), needed = plan.value("memory", 0.0),
+                 most = plan.value("memory_limit", 0.0);
+    if (used > 0 && used + needed > most) {
+        throw Refusal(
+            409, fmt::format(
+                     "this run needs {:.1f} GB of memory, the runs at work need {:.1f} GB, and {:.1f} GB may be used; "
+                     "start it when one of them has ended",
+                     needed / 1e9, used / 1e9, most / 1e9
+                 )
+        );
+    }
+}
+
+/// Starts the program and waits until it has published its plan, or ended. @throws Refusal 422 with its last words
+void start_and_watch(
+    const Studio& studio, const std::vector<std::string>& words, const fs::path& run, const fs::path& log
+) {
+    const pid_t child = start_program(words, studio.folder, log);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    int status = 0;
+    bool has_ended = false;
+    while (!has_ended && !(job::is_at_work(run) && fs::exists(run / "progress.json")) &&
+           std::chrono::steady_clock::now() < end) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        has_ended = waitpid(child, &status, WNOHANG) == child;
+    }
+    if (!has_ended) {
+        std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // so that it leaves the list of processes
+    } else if (!fs::exists(run / "events.jsonl")) {
+        const std::string text = read_whole_file(log.string());
+        constexpr std::size_t most = 4000;
+        throw Refusal(422, text.substr(text.size() - std::min(most, text.size())));
+    }
+}
+
+void start(const httplib::Request& request, httplib::Response& response, Studio& studio) {
+    const std::string name = folder_name(field(request, "name"));
+    std::vector<std::string> preset;
+    add_options(request, {"preset"}, preset);
+    const std::scoped_lock lock(studio.starting);
+    {
+        const ScratchFolder scratch;
+        take_case(request, scratch.path());
+        if (const std::optional<ProgramCall> errors = errors_in(scratch.path(), preset)) {
+            answer_call(response, *errors);
+            return;
+        }
+        const ProgramCall price = plan_in(scratch.path(), preset, job::cache_next_to(studio.folder / "new"));
+        if (price.code != 0) {
+            answer_call(response, price);
+            return;
+        }
+        require_memory(studio.folder, price.document);
+    }
+    const fs::path run = make_numbered_folder(studio.folder, name);
+    const fs::path folder = studio.folder / "cases" / run.filename(); // next to the runs, and kept with them
+    io::make_folders(folder);
+    take_case(request, folder);
+    std::vector<std::string> words{
+        "run", (fs::path("cases") / run.filename() / "case.toml").string(), "--output=" + run.filename().string()};
+    words.insert(words.end(), preset.begin(), preset.end());
+    start_and_watch(studio, words, run, folder / "log.txt");
+    answer(response, 201, {{"run", run.filename().string()}});
+}
+
+void resume(const httplib::Request& request, httplib::Response& response, Studio& studio) {
+    const fs::path run = find_run(studio.folder, request.matches[1]);
+    const std::scoped_lock lock(studio.starting);
+    if (job::is_at_work(run)) {
+        throw Refusal(409, "this run is at work");
+    }
+    const fs::path log = studio.folder / "cases" / run.filename() / "log.txt";
+    io::make_folders(log.parent_path());
+    fs::remove(run / "progress.json"); // of the call before
+    start_and_watch(studio, {"resume", run.filename().string()}, run, log);
+    answer(response, 201, {{"run", run.filename().string()}});
+}
+
+} // namespace
+
+void add_case_routes(httplib::Server& server, Studio& studio) {
+    server.Post("/api/new", make_case);
+    server.Post("/api/check", check);
+    server.Post("/api/plan", [&](const auto& request, auto& response) { plan(request, response, studio); });
+    server.Post("/api/start", [&](const auto& request, auto& response) { start(request, response, studio); });
+    server.Post("/api/runs/([^/]+)/resume", [&](const auto& request, auto& response) {
+        resume(request, response, studio);
+    });
+}
+
+} // namespace suffuse::studio

@@ -1,0 +1,138 @@
+#include "apps/studio/run_folders.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/io/folders.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/record/folder.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/studio/http.hpp"
+#include <algorithm>
+#include <cctype>
+#include <csignal>
+#include <fstream>
+
+namespace suffuse::studio {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a descriptor of a process holds a lock for itself alone.
+bool holds_lock(const fs::path& process, const std::string& descriptor) {
+    std::ifstream file(process / "fdinfo" / descriptor);
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("lock:") && line.find("FLOCK") != std::string::npos &&
+            line.find("WRITE") != std::string::npos) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+fs::path find_below(const fs::path& root, const std::string& name) {
+    std::error_code error;
+    const fs::path above = fs::canonical(root, error),
+                   found = fs::canonical(root / fs::path(name).relative_path(), error);
+    const auto [end, rest] = std::mismatch(above.begin(), above.end(), found.begin(), found.end());
+    if (error || end != above.end() || rest == found.end()) {
+        throw Refusal(404, "there is no such file in the studio's folder");
+    }
+    return found;
+}
+
+fs::path find_run(const fs::path& root, const std::string& name) {
+    const fs::path found = find_below(root, name);
+    const bool is_child = found.parent_path() == fs::canonical(root) && found.filename() == name;
+    std::error_code error;
+    if (!is_child || !fs::is_regular_file(found / record::resolved_case_file, error)) {
+        throw Refusal(404, "there is no such run in the studio's folder");
+    }
+    return found;
+}
+
+std::vector<fs::path> runs_at_work(const fs::path& root) {
+    std::vector<fs::path> runs;
+    for (const fs::directory_entry& entry : fs::directory_iterator(fs::canonical(root))) {
+        if (!entry.is_symlink() && entry.is_directory() && job::is_at_work(entry.path())) {
+            runs.push_back(entry.path());
+        }
+    }
+    return runs;
+}
+
+std::optional<pid_t> process_of(const fs::path& run) {
+    const fs::path lock = run / ".lock";
+    std::error_code error;
+    for (const fs::directory_entry& process : fs::directory_iterator("/proc", error)) {
+        const std::string number = process.path().filename().string();
+        if (!std::ranges::all_of(number, [](unsigned char c) { return std::isdigit(c) != 0; })) {
+            continue;
+        }
+        std::error_code gone; // processes end, and those of others cannot be looked at
+        for (fs::directory_iterator one(process.path() / "fd", gone), end; !gone && one != end; one.increment(gone)) {
+            std::error_code closed;
+            if (fs::read_symlink(one->path(), closed) == lock &&
+                holds_lock(process.path(), one->path().filename().string())) {
+                return static_cast<pid_t>(std::stol(number));
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+void stop_run(const fs::path& run) {
+    const std::optional<pid_t> process = job::is_at_work(run) ? process_of(run) : std::nullopt;
+    if (!process) {
+        throw Refusal(409, "no process of yours on this machine works on this run");
+    }
+    kill(*process, SIGTERM);
+}
+
+void remove_run(const fs::path& run) {
+    if (job::is_at_work(run)) {
+        throw Refusal(409, "this run is at work; stop it first");
+    }
+    if (!fs::is_regular_file(fs::symlink_status(run / record::provenance_file))) {
+        throw Refusal(
+            403, "this folder has no provenance.json, so suffuse did not finish it; remove it with your file manager"
+        );
+    }
+    try {
+        const job::FolderLock lock(run, [](const std::string&) {});
+        fs::remove_all(run);
+    } catch (const UsageError& error) { // another program works in it
+        throw Refusal(409, error.what());
+    }
+}
+
+fs::path make_numbered_folder(const fs::path& root, const std::string& name) {
+    for (int number = 1;; ++number) {
+        const fs::path folder = root / fmt::format("{}-{:04}", name, number);
+        if (io::make_folder(folder)) {
+            return folder;
+        }
+    }
+}
+
+std::string folder_name(const std::string& title) {
+    constexpr std::size_t most = 40;
+    std::string name;
+    for (const unsigned char c : title) {
+        const bool is_plain = c < 0x80 && std::isalnum(c) != 0;
+        if (is_plain) {
+            name += static_cast<char>(std::tolower(c));
+        } else if (!name.empty() && name.back() != '-') {
+            name += '-';
+        }
+    }
+    name.resize(std::min(name.size(), most));
+    while (!name.empty() && name.back() == '-') {
+        name.pop_back();
+    }
+    return name.empty() ? "run" : name;
+}
+
+} // namespace suffuse::studio

@@ -1,0 +1,37 @@
+#pragma once
+// The runs below the studio's folder: found by their names, stopped, and removed. What is known of them is what their
+// folders hold, so that a studio that ends forgets nothing.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <sys/types.h>
+#include <vector>
+
+namespace suffuse::studio {
+
+/// A file or folder below `root`, after all links. @throws Refusal 404 where there is none, or it is elsewhere.
+std::filesystem::path find_below(const std::filesystem::path& root, const std::string& name);
+
+/// The folder of a run. @throws Refusal 404 where there is no such run.
+std::filesystem::path find_run(const std::filesystem::path& root, const std::string& name);
+
+/// The folders of the runs that a program works on now.
+std::vector<std::filesystem::path> runs_at_work(const std::filesystem::path& root);
+
+/// The process that works in a run's folder, of this user: the one that holds its lock.
+std::optional<pid_t> process_of(const std::filesystem::path& run);
+
+/// Asks it to save its state and end. @throws Refusal 409 where nobody works on the run.
+void stop_run(const std::filesystem::path& run);
+
+/// Removes a run that has provenance.json. @throws Refusal 403 for another folder, 409 while it is worked on.
+void remove_run(const std::filesystem::path& run);
+
+/// A new folder NAME-0001, or the next free number.
+std::filesystem::path make_numbered_folder(const std::filesystem::path& root, const std::string& name);
+
+/// "Dam, north" -> "dam-north": letters, digits and hyphens.
+std::string folder_name(const std::string& title);
+
+} // namespace suffuse::studio

@@ -1,0 +1,399 @@
+"""`suffuse studio` as a browser and as an attacker see it: test_studio.py PROGRAM [unittest's words].
+
+Each test starts the real program on a folder of its own and speaks HTTP to it, byte by byte where a browser would not.
+"""
+import http.client
+import json
+import os
+import pathlib
+import re
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import uuid
+
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+CURVE = "d [mm],passing [%]\n0.25,0\n0.3,10\n0.36,18\n0.40,20\n0.9,21\n1.1,45\n1.3,75\n1.5,100\n"
+REPLAY = ["new", "replay", "--from", "replay"]
+
+
+def form(fields):
+    """Body and type of a multipart form; a field is text, or a pair of a file's name and its bytes."""
+    mark = uuid.uuid4().hex
+    body = b""
+    for name, value in fields.items():
+        file, content = value if isinstance(value, tuple) else (None, value)
+        content = content.encode() if isinstance(content, str) else content
+        named = f'; filename="{file}"' if file else ""
+        body += f'--{mark}\r\nContent-Disposition: form-data; name="{name}"{named}\r\n\r\n'.encode() + content + b"\r\n"
+    return body + f"--{mark}--\r\n".encode(), f"multipart/form-data; boundary={mark}"
+
+
+class Studio:
+    """The program in a folder, and a client that has its cookie."""
+
+    def __init__(self, folder, *words):
+        self.folder = folder
+        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        self.error = open(folder / "studio-error.txt", "w+")
+        self.process = subprocess.Popen([PROGRAM, "studio", *words], cwd=folder, stdout=subprocess.PIPE,
+                                        stderr=self.error, text=True, env=environment)
+        address = self.process.stdout.readline().strip()
+        if not address:
+            return
+        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{64})", address).groups()
+        self.port = int(self.port)
+        self.cookie = f"suffuse-studio-{self.port}={self.token}"
+
+    def request(self, method, path, body=None, headers=None, cookie=True):
+        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=120)
+        given = {"Cookie": self.cookie} if cookie else {}
+        given.update(headers or {})
+        connection.request(method, path, body, given)
+        answer = connection.getresponse()
+        answer.text = answer.read()
+        connection.close()
+        return answer
+
+    def get(self, path, **more):
+        return self.request("GET", path, **more)
+
+    def get_json(self, path):
+        return json.loads(self.get(path).text)
+
+    def post(self, path, fields=None, headers=None, **more):
+        body, kind = form(fields or {"nothing": ""})
+        return self.request("POST", path, body, {"Content-Type": kind, **(headers or {})}, **more)
+
+    def raw(self, text):
+        """The first line of the answer to these bytes."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout=30) as connection:
+            connection.sendall(text)
+            return connection.makefile("rb").readline().decode().strip()
+
+    def end(self, how=signal.SIGINT):
+        if self.process.poll() is None:
+            self.process.send_signal(how)
+        self.process.wait(60)
+        self.process.stdout.close()
+        self.error.seek(0)
+        words = self.error.read()
+        self.error.close()
+        return words
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+        self.runs = self.folder / "runs"
+
+    def studio(self, *words):
+        studio = Studio(self.folder, "--no-browser", *words)
+        self.addCleanup(lambda: studio.error.closed or studio.end(signal.SIGKILL))
+        return studio
+
+    def suffuse(self, *words):
+        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, check=True)
+
+    def finished_run(self):
+        self.suffuse(*REPLAY)
+        self.suffuse("run", "replay/case.toml", "-q")
+        return "replay-0001"
+
+    def wait(self, what, is_true):
+        end = time.monotonic() + 120
+        while not is_true():
+            self.assertLess(time.monotonic(), end, what)
+            time.sleep(0.05)
+
+
+class Refusals(InAFolder):
+    def test_nothing_is_answered_without_the_token_or_the_cookie(self):
+        studio = self.studio()
+        for path in ("/", "/studio.js", "/api/runs", "/runs/a/report.html", "/no-such-thing", "/?token=", "/?token=" + "0" * 64):
+            self.assertEqual(studio.get(path, cookie=False).status, 401, path)
+        self.assertEqual(studio.post("/api/assess", cookie=False).status, 401)
+        for cookie in ("", "suffuse-studio-1=" + studio.token, f"suffuse-studio-{studio.port}=" + "0" * 64,
+                       f"suffuse-studio-{studio.port}=" + studio.token[:-1]):
+            self.assertEqual(studio.get("/", headers={"Cookie": cookie}).status, 401, cookie)
+        self.assertEqual(studio.get("/").status, 200)
+
+    def test_the_token_is_exchanged_for_a_strict_cookie_that_scripts_cannot_read(self):
+        studio = self.studio()
+        answer = studio.get(f"/?token={studio.token}", cookie=False)
+        self.assertEqual((answer.status, answer.headers["Location"]), (303, "/"))
+        self.assertEqual(answer.headers["Set-Cookie"], f"{studio.cookie}; HttpOnly; SameSite=Strict; Path=/")
+
+    def test_the_token_counts_in_the_address_of_the_page_alone(self):
+        studio = self.studio()
+        self.assertEqual(studio.get(f"/api/runs?token={studio.token}", cookie=False).status, 401)
+        self.assertEqual(studio.post(f"/?token={studio.token}", cookie=False).status, 401)
+
+    def test_a_browser_sent_from_another_page_reloads_once_by_itself(self):
+        studio = self.studio()
+        elsewhere = {"Sec-Fetch-Site": "cross-site"}
+        answer = studio.get("/", cookie=False, headers=elsewhere)
+        self.assertEqual(answer.status, 401)
+        self.assertIn(b'http-equiv="refresh" content="0;url=/"', answer.text)
+        wrong = studio.get("/?token=0", cookie=False, headers=elsewhere)
+        self.assertNotIn(b"refresh", wrong.text)
+
+    def test_another_name_of_this_machine_is_refused_on_every_method(self):
+        studio = self.studio()
+        for host in ("evil.example", f"evil.example:{studio.port}", "127.0.0.1", f"127.0.0.1:{studio.port + 1}", f"[::1]:{studio.port}", ""):
+            for method in ("GET", "HEAD", "POST", "OPTIONS"):
+                self.assertEqual(studio.request(method, "/", headers={"Host": host}).status, 403, (host, method))
+            self.assertEqual(studio.get(f"/?token={studio.token}", headers={"Host": host}, cookie=False).status, 403)
+        self.assertEqual(studio.get("/", headers={"Host": f"localhost:{studio.port}"}).status, 200)
+        twice = f"GET / HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\nHost: evil.example\r\nCookie: {studio.cookie}\r\n\r\n"
+        self.assertIn(" 403 ", studio.raw(twice.encode()))
+
+    def test_another_origin_is_refused_on_every_method(self):
+        studio = self.studio()
+        for origin in ("http://evil.example", "null", f"https://127.0.0.1:{studio.port}", f"http://127.0.0.1:{studio.port + 1}"):
+            self.assertEqual(studio.get("/", headers={"Origin": origin}).status, 403, origin)
+            self.assertEqual(studio.post("/api/assess", headers={"Origin": origin}).status, 403, origin)
+        self.assertEqual(studio.get("/", headers={"Origin": f"http://127.0.0.1:{studio.port}"}).status, 200)
+
+    def test_no_answer_lets_another_page_read_it(self):
+        studio = self.studio()
+        for answer in (studio.get("/"), studio.request("OPTIONS", "/api/assess"), studio.get("/api/runs"), studio.get("/no")):
+            self.assertFalse([name for name in answer.headers if name.lower().startswith("access-control")])
+            self.assertEqual(answer.headers["Cross-Origin-Resource-Policy"], "same-origin")
+            self.assertEqual(answer.headers["X-Content-Type-Options"], "nosniff")
+            self.assertEqual(answer.headers["Referrer-Policy"], "no-referrer")
+            self.assertEqual(answer.headers["Cache-Control"], "no-store")
+
+    def test_only_this_machine_is_listened_to(self):
+        studio = self.studio()
+        listening = [line.split() for line in pathlib.Path("/proc/net/tcp").read_text().splitlines()[1:]]
+        places = {row[1] for row in listening if row[3] == "0A" and int(row[1].split(":")[1], 16) == studio.port}
+        self.assertEqual(places, {f"0100007F:{studio.port:04X}"})
+        ipv6 = pathlib.Path("/proc/net/tcp6")
+        other = [line.split()[1] for line in ipv6.read_text().splitlines()[1:]] if ipv6.exists() else []
+        self.assertFalse([place for place in other if place.endswith(f":{studio.port:04X}")])
+
+    def test_paths_out_of_the_folder_are_not_found(self):
+        run = self.finished_run()
+        secret = self.folder / "secret"
+        secret.mkdir()
+        for name in ("case.resolved.toml", "report.html"):
+            (secret / name).write_text("{}")
+        (self.runs / "linked").symlink_to(secret)
+        (self.runs / run / "out.html").symlink_to(secret / "report.html")
+        studio = self.studio()
+        self.assertEqual(studio.get(f"/runs/{run}/report.html").status, 200)
+        for path in ("/runs/../secret/report.html", "/runs/%2e%2e/report.html", "/runs/..%2Fsecret/report.html", "/runs/linked/report.html",
+                     f"/runs/{run}/../../secret/report.html", f"/runs/{run}/%2e%2e/%2e%2e/secret/report.html", f"/runs/{run}/out.html",
+                     f"/runs/{run}//etc/passwd", f"/runs/{run}/..%2F{run}/report.html/", "/runs/./report.html", f"/runs/{run}/",
+                     f"/runs/{run}/studies", "/runs/suffuse-cache/cache.json", "/api/runs/linked", "/api/runs/%2e%2e", "/etc/passwd"):
+            self.assertEqual(studio.get(path).status, 404, path)
+        for path in ("/api/runs/linked/delete", "/api/runs/%2e%2e/delete", "/api/runs/..%2Fsecret/delete", "/api/runs/linked/stop"):
+            self.assertEqual(studio.post(path).status, 404, path)
+        self.assertTrue((secret / "report.html").exists())
+
+    def test_more_than_64_megabytes_are_refused(self):
+        studio = self.studio()
+        head = f"POST /api/assess HTTP/1.1\r\nHost: 127.0.0.1:{studio.port}\r\nCookie: {studio.cookie}\r\n"
+        self.assertIn(" 413 ", studio.raw((head + f"Content-Length: {(64 << 20) + 1}\r\n\r\n").encode()))
+        self.assertIn(" 400 ", studio.raw((head + "Content-Length: -1\r\n\r\n").encode()))
+        # What does not say its length, or unpacks to more, passes by the limit of the library.
+        self.assertIn(" 411 ", studio.raw((head + "Transfer-Encoding: chunked\r\n\r\n0\r\n\r\n").encode()))
+        self.assertIn(" 411 ", studio.raw((head + "\r\n").encode()))
+        self.assertIn(" 415 ", studio.raw((head + "Content-Encoding: gzip\r\nContent-Length: 1\r\n\r\n0").encode()))
+
+    def test_pages_of_the_studio_run_no_inline_script_and_files_of_runs_have_no_rights(self):
+        run = self.finished_run()
+        studio = self.studio()
+        own = studio.get("/").headers["Content-Security-Policy"]
+        self.assertIn("default-src 'none'; script-src 'self'; style-src 'self'", own)
+        self.assertIn("frame-ancestors 'none'", own)
+        self.assertNotIn("unsafe", own)
+        for file in ("report.html", "case.toml", "summary.json"):
+            policy = studio.get(f"/runs/{run}/{file}").headers["Content-Security-Policy"]
+            self.assertTrue(policy.startswith("sandbox allow-scripts allow-downloads; default-src 'none';"), policy)
+            self.assertNotIn("allow-same-origin", policy)
+            self.assertNotIn("connect-src", policy)
+
+    def test_what_changes_something_is_a_post(self):
+        run = self.finished_run()
+        studio = self.studio()
+        for path in ("delete", "stop", "resume", "pdf"):
+            self.assertEqual(studio.get(f"/api/runs/{run}/{path}").status, 404, path)
+        self.assertEqual(studio.get("/api/start").status, 404)
+        self.assertTrue((self.runs / run / "summary.json").exists())
+
+    def test_only_folders_that_suffuse_finished_can_be_deleted(self):
+        run = self.finished_run()
+        (self.runs / "photos").mkdir()
+        (self.runs / "photos" / "holiday.jpg").write_text("mine")
+        (self.runs / "half").mkdir()
+        (self.runs / "half" / "case.resolved.toml").write_text("")
+        studio = self.studio()
+        self.assertEqual(studio.post("/api/runs/photos/delete").status, 404)
+        self.assertEqual(studio.post("/api/runs/half/delete").status, 403)
+        self.assertEqual(studio.post(f"/api/runs/{run}/delete").status, 200)
+        self.assertFalse((self.runs / run).exists())
+        self.assertTrue((self.runs / "photos" / "holiday.jpg").exists())
+        self.assertTrue((self.runs / "half").exists())
+
+    def test_words_of_a_form_are_no_options(self):
+        studio = self.studio()
+        target = self.folder / "written.html"
+        fields = {"curve": ("-o" + str(target), CURVE), "sample": f"x --output={target}", "page": "yes", "output": str(target)}
+        studio.post("/api/assess", fields)
+        self.assertFalse(target.exists())
+        for name in ("../case.toml", "/etc/x", "data/../x", ".hidden", "data/sub/x", "-o"):
+            self.assertEqual(studio.post("/api/check", {"case": "schema = 1", "file:" + name: CURVE}).status, 400, name)
+
+
+class Ports(InAFolder):
+    def test_a_port_that_is_taken_is_named_and_the_next_one_is_offered(self):
+        with socket.socket() as taken:
+            taken.bind(("127.0.0.1", 0))
+            taken.listen()
+            port = taken.getsockname()[1]
+            studio = self.studio("--port", str(port))
+            self.assertEqual(studio.process.wait(60), 2)
+            self.assertRegex(studio.end(), rf"port {port} is taken; the next free one is --port \d+")
+
+    def test_two_studios_on_one_folder_both_answer(self):
+        run = self.finished_run()
+        first, second = self.studio(), self.studio()
+        self.assertNotEqual(first.port, second.port)
+        for studio in (first, second):
+            self.assertEqual([r["name"] for r in studio.get_json("/api/runs")["result"]["runs"]], [run])
+        self.assertEqual(second.get("/", headers={"Cookie": first.cookie}).status, 401)
+        self.assertIn(f"port {first.port} is taken", second.end())
+
+    def test_it_ends_with_ctrl_c(self):
+        studio = self.studio()
+        studio.end(signal.SIGINT)
+        self.assertEqual(studio.process.returncode, 0)
+
+
+class Soils(InAFolder):
+    def test_the_criteria_are_those_of_assess(self):
+        (self.folder / "gap.csv").write_text(CURVE)
+        by_program = json.loads(self.suffuse("assess", "gap.csv", "-i", "0.3", "--flow", "up", "--json").stdout)["soils"][0]
+        studio = self.studio()
+        answer = json.loads(studio.post("/api/assess", {"curve": ("gap.csv", CURVE), "gradient": "0.3", "flow": "up"}).text)
+        by_studio = answer["result"]["soils"][0]
+        self.assertTrue(by_studio.pop("soil").endswith(by_program.pop("soil")))
+        self.assertEqual(by_studio, by_program)
+
+    def test_an_answer_takes_less_than_300_milliseconds(self):
+        studio = self.studio()
+        times = []
+        for _ in range(9):
+            begin = time.monotonic()
+            self.assertEqual(studio.post("/api/assess", {"curve": ("gap.csv", CURVE), "gradient": "0.3"}).status, 200)
+            times.append(time.monotonic() - begin)
+        self.assertLess(sorted(times)[4], 0.3, times)
+
+    def test_a_misread_column_is_corrected_by_its_number(self):
+        sheet = "a;b;c\n4;9;100\n2;9;60\n1;9;20\n0.5;9;0\n"
+        studio = self.studio()
+        corrected = {"curve": ("sheet.csv", sheet), "size": "1:mm", "passing": "3"}
+        soil = json.loads(studio.post("/api/reading", corrected).text)["result"]["soils"][0]
+        self.assertEqual(soil["passing"], [0, 0.2, 0.6, 1])
+
+    def test_a_file_that_cannot_be_read_is_refused_with_its_place(self):
+        answer = self.studio().post("/api/assess", {"curve": ("dam.csv", "d [mm],passing [%]\n1,50\n2,oops\n")})
+        self.assertEqual(answer.status, 422)
+        self.assertIn("dam.csv", json.loads(answer.text)["error"]["message"])
+
+
+class Runs(InAFolder):
+    def case(self, studio):
+        made = json.loads(studio.post("/api/new", {"from": "replay"}).text)["result"]
+        return {"case": made["case"], **{"file:" + name: text for name, text in made["files"].items()}}
+
+    def long_case(self, studio):
+        fields = {"curve": ("gap.csv", CURVE), "gradient": "0.3", "flow": "up", "particles": "9000"}
+        made = json.loads(studio.post("/api/new", fields).text)["result"]
+        return {"name": "Dam, north", "case": made["case"], **{"file:" + name: text for name, text in made["files"].items()}}
+
+    def test_a_case_is_checked_priced_and_run_as_an_ordinary_run(self):
+        studio = self.studio()
+        case = self.case(studio)
+        plan = json.loads(studio.post("/api/plan", case).text)["result"]
+        self.assertGreater(plan["memory"], 0)
+        started = studio.post("/api/start", {**case, "name": "My replay!"})
+        self.assertEqual(started.status, 201, started.text)
+        self.assertEqual(json.loads(started.text)["run"], "my-replay-0001")
+        run = self.runs / "my-replay-0001"
+        self.wait("the run ends", lambda: (run / "summary.json").exists() and not studio.get_json("/api/runs/my-replay-0001")["at_work"])
+        self.suffuse("verify", "runs/my-replay-0001")
+        state = studio.get_json("/api/runs/my-replay-0001")
+        self.assertTrue(state["report"] and state["can_delete"])
+        self.assertEqual(state["events"][-1]["event"], "run ends")
+        self.assertEqual(studio.get("/runs/my-replay-0001/report.html").headers["Content-Type"], "text/html; charset=utf-8")
+
+    def test_an_error_of_a_case_has_its_line(self):
+        studio = self.studio()
+        case = self.case(studio)
+        lines = case["case"].splitlines()
+        at = next(k for k, line in enumerate(lines) if line.startswith("friction"))
+        lines[at] = 'frictoin = "37 deg"'
+        for path in ("/api/check", "/api/plan", "/api/start"):
+            answer = studio.post(path, {**case, "case": "\n".join(lines)})
+            self.assertEqual(answer.status, 422, answer.text)
+            self.assertIn(at + 1, [p["line"] for p in json.loads(answer.text)["error"]["problems"]])
+        self.assertFalse((self.runs / "run-0001").exists())
+
+    def test_a_run_outlives_a_killed_studio_and_another_one_stops_and_resumes_it(self):
+        first = self.studio()
+        started = first.post("/api/start", self.long_case(first))
+        self.assertEqual(started.status, 201, started.text)
+        first.end(signal.SIGKILL)
+        second = self.studio()
+        path = "/api/runs/dam-north-0001"
+        state = second.get_json(path)
+        self.assertTrue(state["at_work"] and state["can_stop"], state)
+        self.assertEqual(second.post(path + "/delete").status, 409)
+        self.assertEqual(second.post(path + "/resume").status, 409)
+        self.assertEqual(second.post(path + "/stop").status, 202)
+        self.wait("the run saves itself", lambda: not second.get_json(path)["at_work"])
+        self.assertEqual(second.get_json(path)["events"][-1]["outcome"], "stopped")
+        self.assertEqual(second.post(path + "/stop").status, 409)
+        self.assertEqual(second.post(path + "/resume").status, 201)
+        self.assertTrue(second.get_json(path)["at_work"])
+        self.assertIn("still at work: suffuse watch runs/dam-north-0001", second.end())
+        third = self.studio("--save-runs")
+        self.assertTrue(third.get_json(path)["at_work"])
+        self.assertIn("saved; resume with: suffuse resume runs/dam-north-0001", third.end())
+        self.assertEqual(json.loads((self.runs / "dam-north-0001/events.jsonl").read_text().splitlines()[-1])["outcome"], "stopped")
+
+    def test_runs_that_do_not_fit_into_memory_together_are_refused(self):
+        studio = self.studio()
+        case = self.long_case(studio)
+        self.assertEqual(studio.post("/api/start", case).status, 201)
+        run = self.runs / "dam-north-0001"
+        plan = json.loads((run / "plan.json").read_text())
+        (run / "plan.json").write_text(json.dumps({**plan, "memory": 1e15}))
+        refused = studio.post("/api/start", case)
+        self.assertEqual(refused.status, 409)
+        self.assertIn("memory", json.loads(refused.text)["error"]["message"])
+        self.assertFalse((self.runs / "dam-north-0002").exists())
+        studio.post("/api/runs/dam-north-0001/stop")
+        self.wait("the run saves itself", lambda: not studio.get_json("/api/runs/dam-north-0001")["at_work"])
+
+    def test_two_runs_are_compared(self):
+        run = self.finished_run()
+        self.suffuse("run", "replay/case.toml", "-q")
+        answer = self.studio().get_json(f"/api/compare/{run}/replay-0002")
+        self.assertTrue(answer["result"])
+
+
+if __name__ == "__main__":
+    if not any((PROGRAM.parent / page / "studio.html").exists() for page in ("../../report-page", "../share/suffuse/report-page")):
+        print("npm has not built the studio's page; ./test does")
+        sys.exit(77)
+    unittest.main()
