@@ -4,9 +4,10 @@ file(READ ${FROM}/page.html page)
 file(READ ${FROM}/page.css style)
 file(READ ${FROM}/criteria.js criteria)
 file(READ ${FROM}/atlas.js atlas)
+file(READ ${FROM}/curve.js curve)
 file(READ ${FROM}/page.js script)
 string(REPLACE "@STYLE@" "${style}" page "${page}")
-string(REPLACE "@SCRIPT@" "${criteria}\n${atlas}\n${script}" page "${page}")
+string(REPLACE "@SCRIPT@" "${criteria}\n${atlas}\n${curve}\n${script}" page "${page}")
 file(WRITE ${TO} "#include \"suffuse/report/assess_page.hpp\"
 
 namespace suffuse::report {

@@ -4,9 +4,7 @@
 const pageData = JSON.parse(document.getElementById("data").textContent);
 const state = { which: 0, soils: pageData.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...pageData.seepage };
 const $ = (id) => document.getElementById(id);
-const three = (x) => (x === undefined ? "" : x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3))));
-const mm = (x) => three(1e3 * x);
-const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
+const { three, escaped } = CurveChart;
 const here = () => state.soils[state.which];
 const sign = {
   stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"],
@@ -21,67 +19,17 @@ const numberText = (c) =>
   c.range ? `${three(c.range[0])} to ${three(c.range[1])}` : c.measured !== undefined ? `(${three(c.measured)})`
     : c.value !== undefined ? three(c.value) : "–";
 
-/** The chart, drawn for a desk or for a phone. */
-let plot;
-const shapes = {
-  wide: { width: 720, height: 398, left: 52, right: 12, top: 44, bottom: 44 },
-  narrow: { width: 358, height: 330, left: 48, right: 8, top: 44, bottom: 44 },
-};
-
-/** Where the chart has a size [m] and a share. */
-function scales() {
-  plot = window.innerWidth < 641 ? shapes.narrow : shapes.wide;
-  let low = Infinity, high = 0;
-  for (const s of state.soils) { low = Math.min(low, s.d[0]); high = Math.max(high, s.d[s.d.length - 1]); }
-  const from = Math.log10(low / 1.4), to = Math.log10(high * 1.4);
-  const { width, height, left, right, top, bottom } = plot;
-  return {
-    from, to,
-    x: (d) => left + ((Math.log10(d) - from) / (to - from)) * (width - left - right),
-    y: (f) => top + (1 - f) * (height - top - bottom),
-    d: (x) => 10 ** (from + ((x - left) / (width - left - right)) * (to - from)),
-    f: (y) => 1 - (y - top) / (height - top - bottom),
-  };
-}
-
 /** A curve that was pasted or dragged is another soil than the file's. */
 const shownName = (soil) => soil.name + (soil.isEdited ? " (edited)" : "");
 
+const chart = CurveChart.attach($("chart"), { soils: () => state.soils, which: () => state.which, changed: () => draw() });
+
 function drawChart() {
-  const s = scales(), parts = [];
-  const { width, height, left, right, bottom } = plot;
-  const isNarrow = plot === shapes.narrow;
-  $("chart").setAttribute("viewBox", `0 0 ${width} ${height}`);
-  for (const [name, from, to] of [["clay", 0, 2e-6], ["silt", 2e-6, 63e-6], ["sand", 63e-6, 2e-3], ["gravel", 2e-3, 63e-3], ["cobbles", 63e-3, 1e3]]) {
-    const a = Math.max(s.x(Math.max(from, 1e-9)), left), b = Math.min(s.x(to), width - right);
-    if (b - a < 8) continue;
-    if (name === "sand" || name === "clay") parts.push(`<rect class="band" x="${a}" y="${plot.top}" width="${b - a}" height="${height - plot.top - bottom}"/>`);
-    if (b - a > 40) parts.push(`<text class="m s" x="${(a + b) / 2}" y="${plot.top - 8}">${name}</text>`);
-  }
-  for (let f = 0; f <= 1.001; f += 0.2) {
-    parts.push(`<path class="gr" d="M${left} ${s.y(f)}H${width - right}"/><text class="e" x="${left - 8}" y="${s.y(f) + 4.5}">${Math.round(100 * f)} %</text>`);
-  }
-  for (let e = Math.ceil(s.from - 1e-9); e <= s.to; ++e) {
-    for (const step of isNarrow ? [1] : [1, 2, 5]) {
-      const d = step * 10 ** e;
-      if (Math.log10(d) > s.to) continue;
-      parts.push(`<path class="ax" d="M${s.x(d)} ${height - bottom}v5"/><text class="m" x="${s.x(d)}" y="${height - bottom + 20}">${Number((1e3 * d).toPrecision(1))}</text>`);
-    }
-  }
-  parts.push(`<text class="s" x="2" y="12">finer than, by mass</text>`);
-  parts.push(`<path class="ax" d="M${left} ${height - bottom}H${width - right}"/><text class="e s" x="${width - right}" y="${height - 6}">grain diameter in mm</text>`);
-  const others = state.soils.map((soil, k) => ({ soil, k })).filter(({ k }) => k !== state.which);
-  const colors = others.length <= 5 ? ["k1", "k2", "k3", "k4", "k5"] : []; // of more, one color that names none
-  others.forEach(({ soil }, row) => {
-    parts.push(`<path class="ln other ${colors[row] ?? ""}" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"><title>${escaped(soil.name)}</title></path>`);
-  });
-  $("legend").innerHTML = others.length && colors.length ? [`<b class="mine">— ${escaped(shownName(here()))}</b>`,
+  chart.draw();
+  const others = state.soils.map((soil, k) => ({ soil, k })).filter(({ k }) => k !== state.which), colors = CurveChart.colorsOf(others);
+  $("legend").innerHTML = colors.length ? [`<b class="mine">— ${escaped(shownName(here()))}</b>`,
     ...others.map(({ soil, k }, row) => `<a href="#soil" class="${colors[row]}" data-soil="${k}">— ${escaped(soil.name)}</a>`)].join(" ") : "";
   const soil = here();
-  parts.push(`<path class="ln mine" d="${soil.d.map((d, j) => `${j ? "L" : "M"}${s.x(d)} ${s.y(soil.f[j])}`).join("")}"/>`);
-  soil.d.forEach((d, j) => parts.push(
-    `<circle class="knob" data-point="${j}" tabindex="0" role="slider" aria-label="${mm(d)} mm" aria-valuenow="${three(100 * soil.f[j])}" cx="${s.x(d)}" cy="${s.y(soil.f[j])}" r="6"/>`));
-  $("chart").innerHTML = parts.join("");
   const ends = [soil.f[0] > 0 ? `${three(100 * soil.f[0])} % is finer than the last size` : "", soil.f[soil.f.length - 1] < 1 ? `${three(100 * (1 - soil.f[soil.f.length - 1]))} % is coarser than the first` : ""].filter(Boolean);
   $("chart-note").textContent = `Grey band: sand, 0.063 to 2 mm (ISO 14688).${ends.length ? ` The curve is open: ${ends.join(", ")}.` : ""}`;
   $("printed-points").textContent = `Passing: ${soil.d.map((d, k) => `${Number((1e3 * d).toPrecision(6))} mm ${Number((100 * soil.f[k]).toPrecision(4))} %`).join(", ")}.`;
@@ -238,43 +186,7 @@ function takeText() {
   }
 }
 
-function move(point, x, y) {
-  const soil = here(), s = scales(), n = soil.d.length;
-  soil.isEdited = true;
-  const low = point > 0 ? soil.f[point - 1] : 0, high = point + 1 < n ? soil.f[point + 1] : 1;
-  soil.f[point] = Math.min(high, Math.max(low, Math.round(1000 * s.f(y)) / 1000));
-  const least = point > 0 ? soil.d[point - 1] * 1.01 : 0, most = point + 1 < n ? soil.d[point + 1] / 1.01 : Infinity;
-  if (x !== null) soil.d[point] = Math.min(most, Math.max(least, Number(s.d(x).toPrecision(3))));
-}
-
 function connect() {
-  let held = null;
-  const place = (event) => {
-    const box = $("chart").getBoundingClientRect();
-    return { x: ((event.clientX - box.left) / box.width) * plot.width, y: ((event.clientY - box.top) / box.height) * plot.height };
-  };
-  $("chart").addEventListener("pointerdown", (event) => {
-    const point = event.target.dataset?.point;
-    if (point === undefined) return;
-    held = Number(point);
-    $("chart").setPointerCapture(event.pointerId);
-    event.preventDefault();
-  });
-  $("chart").addEventListener("pointermove", (event) => {
-    if (held === null) return;
-    const { x, y } = place(event);
-    move(held, event.shiftKey ? x : null, y);
-    draw();
-  });
-  $("chart").addEventListener("pointerup", () => { held = null; });
-  $("chart").addEventListener("keydown", (event) => {
-    const point = Number(event.target.dataset?.point), step = { ArrowUp: 0.01, ArrowDown: -0.01 }[event.key];
-    if (step === undefined || Number.isNaN(point)) return;
-    move(point, null, scales().y(here().f[point] + step));
-    draw();
-    document.querySelector(`[data-point="${point}"]`).focus();
-    event.preventDefault();
-  });
   $("points").addEventListener("input", takeText);
   for (const name of ["alpha", "porosity", "density", "gradient"]) {
     $(name).addEventListener("input", () => { state[name] = Number($(name).value); draw(true); });
