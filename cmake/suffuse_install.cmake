@@ -8,7 +8,8 @@ set(documents share/doc/suffuse)
 # The program. Its page is made by npm, outside of CMake, and may be missing: reports are plain then.
 install(TARGETS suffuse RUNTIME DESTINATION bin COMPONENT program)
 set(page_files ${SUFFUSE_REPORT_PAGE}/page.js ${SUFFUSE_REPORT_PAGE}/page.js.sha256 ${SUFFUSE_REPORT_PAGE}/figures.mjs
-    ${SUFFUSE_REPORT_PAGE}/notices.txt)
+    ${SUFFUSE_REPORT_PAGE}/notices.txt ${SUFFUSE_REPORT_PAGE}/studio.html ${SUFFUSE_REPORT_PAGE}/studio.js
+    ${SUFFUSE_REPORT_PAGE}/studio.css)
 install(FILES ${page_files} DESTINATION share/suffuse/report-page COMPONENT program OPTIONAL)
 install(CODE "
     if(NOT EXISTS \"${SUFFUSE_REPORT_PAGE}/page.js\")

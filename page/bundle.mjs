@@ -1,7 +1,7 @@
 // bundle.mjs OUT_DIR: the page's script as one file, its hash for the page's content policy, the notices that the
-// licenses of the bundled packages ask for, and the program that draws figures in Node. The packages stand in OUT_DIR/npm, so that the source tree stays clean.
+// licenses of the bundled packages ask for, the page of the studio, and the program that draws figures in Node. The packages stand in OUT_DIR/npm, so that the source tree stays clean.
 import { createHash } from "node:crypto";
-import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, relative, resolve, sep } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -36,6 +36,13 @@ const inNode = buildSync({
   external: ["canvas"], // Vega draws pixels with it where it is there; SVG needs none
 });
 writeFileSync(join(out, "figures.mjs"), inNode.outputFiles[0].text);
+
+// The page of `suffuse studio`: one script, one style sheet.
+for (const [from, to] of [["main.js", "studio.js"], ["page.css", "studio.css"]]) {
+  const studio = buildSync({ ...common, entryPoints: [join(sources, "studio", from)], format: "iife", target: ["es2022"] });
+  writeFileSync(join(out, to), studio.outputFiles[0].text);
+}
+copyFileSync(join(sources, "studio", "page.html"), join(out, "studio.html"));
 
 const code = result.outputFiles[0].text;
 if (code.includes("</script") || code.includes("\r")) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# page/test.sh PAGE_DIR [TEST_PROGRAM]: opens reports in a real browser. PAGE_DIR is where page/build.sh works;
+# page/test.sh PAGE_DIR [TEST_PROGRAM]: opens reports and the studio in a real browser. PAGE_DIR is where page/build.sh works;
 # TEST_PROGRAM (default: the release build's suffuse_report_test) writes the sample runs; screenshots and samples go to
 # PAGE_DIR/samples. Needs Chromium. Exit code 77 where what is needed for it cannot be had here.
 set -eu
@@ -20,4 +20,6 @@ samples=$page/samples
 rm -rf "$samples"
 SUFFUSE_SAMPLE_FOLDER=$samples SUFFUSE_SAMPLE_PAGE=$page "$program" --gtest_filter='SampleRun.*' >"$page/samples.log" ||
     { cat "$page/samples.log" >&2 && fail "the sample runs could not be written"; }
-SUFFUSE_SAMPLES=$samples SUFFUSE_PAGE=$page SUFFUSE_CHROMIUM=$browser node --test "$here"/tests/*.test.mjs
+suffuse=$(dirname "$(readlink -f "$program")")/apps/suffuse
+[ -x "$suffuse" ] || fail "$suffuse is missing; build it first"
+SUFFUSE_SAMPLES=$samples SUFFUSE_PAGE=$page SUFFUSE_CHROMIUM=$browser SUFFUSE_PROGRAM=$suffuse node --test "$here"/tests/*.test.mjs

@@ -1,0 +1,174 @@
+// One run: live while it works, with what its stages measure; its report when it has ended.
+import { bytes, escaped, seconds, secondsRange, three, trouble } from "./words.js";
+import { get, post, runPath } from "./server.js";
+import { lineChart } from "./line_chart.js";
+
+const names = {
+  void_ratio: "void ratio", mean_stress: "mean stress [Pa]", deviator_stress: "deviator stress [Pa]", unbalanced_force: "unbalanced force", axial_strain: "axial strain",
+};
+const tests = new Set(["triaxial", "plane-strain", "oedometer", "cyclic", "stress-probe"]);
+const nameOf = (key) => names[key] ?? key.replaceAll("_", " ");
+
+export class RunView {
+  /** @param place the element it fills @param changed is called when the run has ended or gone */
+  constructor(place, changed = () => {}) {
+    this.place = place;
+    this.changed = changed;
+    this.name = "";
+  }
+
+  /** Shows a run, and follows it while it works. */
+  show(name) {
+    clearTimeout(this.timer);
+    this.name = name;
+    this.seen = new Map(); // stage -> states that were polled
+    this.measured = new Map(); // stage -> numbers of its stage.json
+    this.isReportShown = false;
+    this.hasWorked = false;
+    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p><div class="charts"></div><div class="stages tw"></div></div><div class="report"></div>`;
+    return this.poll();
+  }
+
+  close() {
+    clearTimeout(this.timer);
+    this.name = "";
+    this.place.innerHTML = "";
+  }
+
+  async poll() {
+    const name = this.name;
+    if (!name) return;
+    try {
+      const run = await get(runPath(name));
+      if (this.name !== name) return;
+      await this.learn(run);
+      if (this.name !== name) return;
+      this.draw(run);
+      if (this.hasWorked && !run.at_work) this.changed();
+      this.hasWorked = run.at_work;
+      if (run.at_work) this.timer = setTimeout(() => this.poll(), document.hidden ? 5000 : 1000);
+    } catch (error) {
+      if (this.name !== name) return;
+      trouble(error);
+      if (error.status === 0) this.timer = setTimeout(() => this.poll(), 5000); // a server that comes back
+    }
+  }
+
+  async learn(run) {
+    for (const one of run.progress?.running ?? []) {
+      if (!one.state) continue;
+      const key = `${one.study}/${one.stage}`, states = this.seen.get(key) ?? [];
+      if (states.at(-1)?.steps !== one.steps) states.push({ steps: one.steps, ...one.state, verb: one.verb });
+      this.seen.set(key, states);
+    }
+    for (const event of run.events) {
+      const stage = event.stage;
+      if (event.event !== "stage done" || this.measured.has(stage)) continue;
+      this.measured.set(stage, null);
+      const path = `/runs/${encodeURIComponent(run.name)}/studies/${stage.split("/").map(encodeURIComponent).join("/")}/stage.json`;
+      const numbers = await fetch(path).then((r) => (r.ok ? r.json() : null)).catch(() => null);
+      this.measured.set(stage, numbers);
+    }
+  }
+
+  draw(run) {
+    const { progress, events } = run, last = events.at(-1), isOver = !run.at_work;
+    const begun = events.findLastIndex((e) => e.event === "run begins");
+    const done = new Map(events.filter((e) => e.event === "stage done").map((e) => [e.stage, e.wall_seconds]));
+    const failed = new Map(events.slice(begun + 1).filter((e) => e.event === "stage fails").map((e) => [e.stage, e.what ?? ""]));
+    const running = new Set((progress?.running ?? []).map((p) => `${p.study}/${p.stage}`));
+    const outcome = last?.event === "run ends" ? last.outcome : "";
+    const latest = progress?.latest;
+    const share = latest?.stages ? latest.stages_done / latest.stages : 0;
+    this.find(".state").innerHTML = run.at_work
+      ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts"><span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
+      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}, after ${seconds(last.wall_seconds)}.` : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
+    this.buttons(run, outcome);
+    const stages = run.plan?.stages ?? [];
+    const state = (key) => (failed.has(key) ? ["no", "✗ failed"] : done.has(key) ? ["ok", `✓ ${seconds(done.get(key))}`] : running.has(key) && run.at_work ? ["", "at work"] : ["un", "waits"]);
+    if (!isOver || !run.report) {
+      this.find(".stages").innerHTML = `<table><thead><tr><th>stage</th><th>does</th><th class="n">planned</th><th>state</th></tr></thead><tbody>${stages.map((s) => {
+        const key = `${s.study}/${s.stage}`, [kind, text] = state(key);
+        return `<tr><td>${escaped(key)}<small>${escaped(failed.get(key) ?? "")}</small></td><td>${escaped(s.verb)}</td><td class="n">${secondsRange(s.seconds)}</td><td class="${kind}">${text}</td></tr>`;
+      }).join("")}</tbody></table>`;
+      this.charts(running);
+    }
+    if (isOver && run.report && !this.isReportShown) {
+      this.isReportShown = true;
+      this.find(".stages").innerHTML = "";
+      this.find(".charts").innerHTML = "";
+      const frame = document.createElement("iframe");
+      frame.setAttribute("sandbox", "allow-scripts allow-downloads");
+      frame.title = `Report of ${run.name}`;
+      frame.src = `/runs/${encodeURIComponent(run.name)}/report.html`;
+      this.find(".report").replaceChildren(frame);
+    } else if (!isOver && this.isReportShown) {
+      this.isReportShown = false;
+      this.find(".report").replaceChildren();
+    }
+  }
+
+  /** What the stages at work measure, and the mobility that one has found. */
+  charts(running) {
+    const parts = [];
+    for (const [key, states] of this.seen) {
+      if (!running.has(key) || states.length < 2) continue;
+      const latest = states.at(-1), isTest = tests.has(latest.verb);
+      const x = isTest ? "axial_strain" : "steps", y = isTest ? "deviator_stress" : "void_ratio";
+      if (latest[y] === undefined) continue;
+      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y)));
+    }
+    for (const [key, numbers] of this.measured) {
+      const rows = numbers?.mobility;
+      if (!Array.isArray(rows) || rows.length < 2 || numbers.verb !== "detach") continue;
+      const at = numbers.critical_gradient?.["1 %"];
+      parts.push(`<h3>${escaped(key)}: ${at ? `1 % of the fines move at i = ${three(at)}` : "less than 1 % of the fines move"}</h3>`,
+        lineChart(rows.map((r) => [r.gradient, 100 * r.mobile_mass_share]), "gradient i", "mass of the fines that moves [%]"));
+    }
+    this.find(".charts").innerHTML = parts.join("");
+  }
+
+  buttons(run, outcome) {
+    const isResumable = !run.at_work && (outcome === "" || outcome === "stopped" || outcome === "time limit");
+    const wanted = [
+      run.can_stop && ["stop", "Stop and save"], isResumable && ["resume", "Resume"], !run.at_work && run.report && outcome && ["pdf", "PDF of the report"],
+      !run.at_work && run.report && ["open", "Open the report alone"], run.can_delete && ["delete", "Delete …"],
+    ].filter(Boolean);
+    const key = JSON.stringify(wanted);
+    if (this.find(".buttons").dataset.shown === key) return; // so that focus stays
+    this.find(".buttons").dataset.shown = key;
+    this.find(".buttons").innerHTML = wanted.map(([what, text]) => `<button type="button" data-do="${what}">${text}</button>`).join("");
+    for (const button of this.place.querySelectorAll("[data-do]")) button.addEventListener("click", () => this.act(button.dataset.do, button));
+  }
+
+  async act(what, button) {
+    const { name } = this, report = `/runs/${encodeURIComponent(name)}/report`;
+    if (what === "open") {
+      window.open(`${report}.html`, "_blank", "noopener");
+      return;
+    }
+    if (what === "delete" && !window.confirm(`Delete the run ${name} with all its results? This cannot be undone. Its case stays in cases/${name}.`)) return;
+    button.disabled = true;
+    try {
+      await post(`${runPath(name)}/${what}`);
+      trouble();
+      if (what === "pdf") window.open(`${report}.pdf`, "_blank", "noopener");
+      if (what === "delete") {
+        this.close();
+        this.changed();
+      } else if (what === "resume") {
+        await this.show(name);
+        this.changed();
+      }
+    } catch (error) {
+      trouble(error);
+    }
+    if (what !== "stop") button.disabled = false; // a run that saves itself takes its time
+  }
+
+  find(what) {
+    return this.place.querySelector(what);
+  }
+}
+
+export const planFacts = (plan) => `${bytes(plan.memory)} of memory, ${bytes(plan.disk)} on disk, ${plan.stages.length} stages`;

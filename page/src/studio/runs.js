@@ -1,0 +1,73 @@
+// The tab Runs: all runs of the folder, what each found, its report, and two compared.
+import { $, escaped, seconds, trouble } from "./words.js";
+import { get } from "./server.js";
+import { RunView } from "./run_view.js";
+
+let runs = [], chosen = new Set(), view, current = "";
+
+const matches = (run, words) => {
+  const text = [run.name, run.title, run.state, ...run.verdict].join(" ").toLowerCase();
+  return words.every((word) => text.includes(word));
+};
+
+function draw() {
+  const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean), shown = runs.filter((run) => matches(run, words));
+  $("count").textContent = shown.length === runs.length ? `${runs.length} runs` : `${shown.length} of ${runs.length} runs`;
+  $("run-table").tBodies[0].innerHTML = shown.map((run) =>
+    `<tr${run.name === current ? ' aria-current="true"' : ""}><td><input type="checkbox" data-run="${escaped(run.name)}" aria-label="compare ${escaped(run.name)}"${chosen.has(run.name) ? " checked" : ""}></td><td><a href="#runs/${encodeURIComponent(run.name)}">${escaped(run.name)}</a><small>${escaped(run.title)}</small><small>${escaped(run.verdict[0] ?? "")}</small></td><td>${escaped(run.state)}<small>${run.finished ? `${escaped(run.finished.slice(0, 16).replace("T", " "))}` : ""}${run.wall_seconds ? `, ${seconds(run.wall_seconds)}` : ""}</small></td></tr>`).join("");
+  $("compare").disabled = chosen.size !== 2;
+}
+
+export async function loadRuns() {
+  if (!runs.length) $("count").textContent = "Reading the runs …";
+  try {
+    runs = (await get("/api/runs")).result.runs;
+    const names = new Set(runs.map((run) => run.name));
+    chosen = new Set([...chosen].filter((name) => names.has(name)));
+    trouble();
+    draw();
+  } catch (error) {
+    trouble(error);
+  }
+}
+
+async function compare() {
+  const [one, other] = [...chosen];
+  view.close();
+  current = "";
+  $("run").innerHTML = "<p class=\"cap\">Comparing …</p>";
+  try {
+    const { result } = await get(`/api/compare/${encodeURIComponent(one)}/${encodeURIComponent(other)}`);
+    trouble();
+    const number = (text) => (text !== "" && Number.isFinite(Number(text)) ? String(Number(Number(text).toPrecision(4))) : text);
+    const most = 500, rows = result.differences.slice(0, most);
+    $("run").innerHTML = `<h2>${escaped(one)} and ${escaped(other)}</h2><ul class="cap">${result.circumstances.map((c) => `<li>${escaped(c)}</li>`).join("")}</ul>
+<div class="tw"><table><caption>${result.differences.length} numbers differ${result.differences.length > most ? `; the first ${most}` : ""}.</caption><thead><tr><th>where</th><th class="n">${escaped(one)}</th><th class="n">${escaped(other)}</th><th class="n">difference</th></tr></thead><tbody>${rows.map((d) =>
+      `<tr><td>${escaped(d.where ?? "")}</td><td class="n">${escaped(number(String(d.first ?? "")))}</td><td class="n">${escaped(number(String(d.second ?? "")))}</td><td class="n">${typeof d.relative === "number" ? `${(100 * d.relative).toPrecision(2)} %` : ""}</td></tr>`).join("")}</tbody></table></div>`;
+  } catch (error) {
+    $("run").innerHTML = "";
+    trouble(error);
+  }
+}
+
+/** Opens the tab, and a run where one is named. */
+export function openRuns(name) {
+  loadRuns();
+  if (name === current) return;
+  current = name;
+  if (name) view.show(name);
+  else view.close();
+  draw();
+}
+
+export function connectRuns() {
+  view = new RunView($("run"), loadRuns);
+  $("search").addEventListener("input", draw);
+  $("compare").addEventListener("click", compare);
+  $("run-table").addEventListener("change", (event) => {
+    const { run } = event.target.dataset;
+    if (event.target.checked) chosen.add(run);
+    else chosen.delete(run);
+    $("compare").disabled = chosen.size !== 2;
+  });
+}

@@ -1,0 +1,247 @@
+// The tab Soil: a curve, how it was read, and what the criteria and the atlas say of it. All numbers are the server's.
+import { $, escaped, list, mm, three, trouble } from "./words.js";
+import { afterChanges, post } from "./server.js";
+
+const { attach } = globalThis.CurveChart;
+
+/** The soil as given, and as edited: what the other tabs start from. */
+export const soil = { name: "", blob: null, samples: [], which: 0, curve: null, found: null, filter: null, sizes: null };
+
+const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"], transition: ["un", "~ transition"], holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"] };
+const known = (value) => (value === null ? undefined : value);
+
+/** The words of the form that say how the file is read. */
+function readingFields() {
+  const unit = $("size-unit").value, column = $("size-column").value, amount = $("amount-column").value, fields = {};
+  if (column) fields.size = column + (unit ? `:${unit}` : "");
+  if (amount) fields[$("amount-kind").value] = amount;
+  return { ...fields, by: $("by").value, sheet: $("sheet").value, rows: $("rows").value };
+}
+
+/** The curve and how it is read, for the server: the file as given, or the points where they were edited. */
+export function curveFields() {
+  if (soil.curve.isEdited) {
+    const rows = soil.curve.d.map((d, k) => `${Number((1e3 * d).toPrecision(12))},${Number((100 * soil.curve.f[k]).toPrecision(12))}`);
+    const name = `${soil.name.replace(/\.[^.]*$/, "")}-edited.csv`;
+    return { curve: { name, blob: new Blob([`d [mm],passing [%]\n${rows.join("\n")}\n`]) } };
+  }
+  const sample = soil.samples.length > 1 ? soil.samples[soil.which].soil : "";
+  return { curve: { name: soil.name, blob: soil.blob }, ...readingFields(), sample };
+}
+
+/** What the soil is under, as `assess` and `new` call it. */
+export const conditionFields = () => ({
+  gradient: Number($("gradient").value) > 0 ? $("gradient").value : "", flow: Number($("gradient").value) > 0 ? $("flow").value : "",
+  fines: $("fines").value ? `${$("fines").value}mm` : "",
+});
+
+/** Columns of a table, for the choice: the number of each, and its heading. */
+function columnsOf(text) {
+  const lines = text.split(/\r?\n/).slice(0, 60).filter((line) => line.trim());
+  const best = [";", "\t", "|", ","].map((mark) => ({ mark, most: Math.max(0, ...lines.map((line) => line.split(mark).length)) }))
+    .reduce((a, b) => (b.most > a.most ? b : a));
+  const split = (line) => (best.most > 1 ? line.split(best.mark) : line.trim().split(/\s+/)).map((cell) => cell.trim().replace(/^"|"$/g, ""));
+  const rows = lines.map(split), count = Math.max(0, ...rows.map((row) => row.length));
+  const heading = (k) => rows.map((row) => row[k] ?? "").find((cell) => /\p{L}/u.test(cell)) ?? "";
+  return Array.from({ length: count }, (_, k) => ({ number: k + 1, heading: heading(k).slice(0, 40) }));
+}
+
+function offerColumns(text) {
+  const options = columnsOf(text).map((c) => `<option value="${c.number}">${c.number}${c.heading ? `: ${escaped(c.heading)}` : ""}</option>`).join("");
+  for (const id of ["size-column", "amount-column"]) {
+    const chosen = $(id).value;
+    $(id).innerHTML = `<option value="">as found</option>${options}`;
+    $(id).value = chosen;
+    if ($(id).selectedIndex < 0) $(id).value = "";
+  }
+}
+
+function readAsFound() {
+  for (const id of ["size-column", "size-unit", "amount-column", "by", "sheet", "rows"]) $(id).value = "";
+}
+
+/** A file that was dropped, chosen or pasted. */
+async function take(name, blob) {
+  soil.name = name;
+  soil.blob = blob;
+  soil.which = 0;
+  readAsFound();
+  const most = 200_000, text = blob.size < most ? await blob.text() : "";
+  $("table").value = text.includes("\0") ? "" : text;
+  offerColumns(text);
+  await read();
+}
+
+/** Reads the file anew: its samples and their points. */
+async function read(signal) {
+  try {
+    const { result, talk } = await post("/api/reading", { curve: { name: soil.name, blob: soil.blob }, ...readingFields() }, signal);
+    soil.samples = result.soils;
+    soil.which = Math.min(soil.which, soil.samples.length - 1);
+    $("remarks").innerHTML = list(talk);
+    trouble();
+    choose(soil.which);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    $("reading").textContent = "";
+    $("remarks").innerHTML = "";
+    trouble(error);
+    $("correct").open = true;
+  }
+}
+
+/** One of the samples, as it was read. */
+function choose(which) {
+  soil.which = which;
+  const given = soil.samples[which];
+  soil.curve = { name: given.soil || soil.name, d: [...given.diameter], f: [...given.passing], isEdited: false };
+  $("sample-row").hidden = soil.samples.length < 2;
+  $("sample").innerHTML = soil.samples.map((s, k) => `<option value="${k}">${escaped(s.soil)}</option>`).join("");
+  $("sample").value = String(which);
+  $("reading").textContent = given.reading;
+  draw();
+  assess();
+}
+
+const marks = (s, plot) => {
+  const { found } = soil, parts = [], bottom = plot.height - plot.bottom;
+  const band = (a, b, kind) => {
+    const from = Math.max(s.x(a), plot.left), to = Math.min(s.x(b), plot.width - plot.right);
+    if (to > from) parts.push(`<rect class="${kind}" x="${from}" y="${plot.top}" width="${to - from}" height="${bottom - plot.top}"/>`);
+  };
+  if (soil.sizes) {
+    band(1e-12, soil.sizes[0], "cut");
+    band(soil.sizes[1], 1e3, "cut");
+  }
+  if (!found) return parts.join("");
+  if (found.gap) band(found.gap.from, found.gap.to, "gap");
+  parts.push(`<path class="limit" d="M${plot.left} ${s.y(found.finer_limit)}H${plot.width - plot.right}"><title>The criteria look for fines up to here</title></path>`);
+  if (found.fine_fraction) {
+    const { finer_than: size, content } = found.fine_fraction, x = s.x(size), isRight = x > plot.width * 0.6;
+    parts.push(`<path class="mark" d="M${x} ${plot.top}V${bottom}"/><text class="why${isRight ? " e" : ""}" x="${x + (isRight ? -6 : 6)}" y="${plot.top + 14}">fines: ${three(100 * content)} % below ${mm(size)} mm</text>`);
+  }
+  return parts.join("");
+};
+
+const chart = attach($("curve"), { soils: () => [soil.curve], which: () => 0, marks, changed: () => edited() });
+
+function draw() {
+  $("curve").removeAttribute("hidden");
+  $("soil-confidence").hidden = false;
+  $("soil-buttons").hidden = false;
+  $("back").hidden = !soil.curve.isEdited;
+  chart.draw();
+  const { d, f, isEdited } = soil.curve, notes = [isEdited ? "The curve was edited here." : "Drag a point up or down (with Shift also sideways), or use the arrow keys."];
+  if (soil.found?.gap) notes.push(`Shaded: the gap, ${mm(soil.found.gap.from)} to ${mm(soil.found.gap.to)} mm.`);
+  if (soil.sizes) notes.push("Grey: what the modeled part leaves out.");
+  if (f[0] > 0) notes.push(`${three(100 * f[0])} % is finer than the last size.`);
+  if (f[f.length - 1] < 1) notes.push(`${three(100 * (1 - f[f.length - 1]))} % is coarser than the first.`);
+  $("curve-note").textContent = notes.join(" ");
+  $("printed-points").textContent = `${soil.curve.name}${isEdited ? " (edited)" : ""}. Passing: ${d.map((x, k) => `${Number((1e3 * x).toPrecision(6))} mm ${Number((100 * f[k]).toPrecision(4))} %`).join(", ")}.`;
+}
+
+function edited() {
+  $("table").value = `d [mm],passing [%]\n${soil.curve.d.map((d, k) => `${Number((1e3 * d).toPrecision(6))},${Number((100 * soil.curve.f[k]).toPrecision(6))}`).join("\n")}\n`;
+  draw();
+  assess();
+}
+
+const limitText = (c) => (c.limit === null ? "" : c.upper !== null ? `${three(c.limit)} to ${three(c.upper)}` : `${c.sense === "at-most" ? "≤" : "≥"} ${three(c.limit)}`);
+const numberText = (c) => (c.value !== null ? three(c.value) : c.measured !== null ? `(${three(c.measured)})` : "–");
+const row = (c) => `<tr><td>${escaped(c.name)}${c.verified ? "" : " <small>unverified, not counted</small>"}<small>${escaped(c.remark ?? "")}</small></td><td class="n">${numberText(c)}<small>${limitText(c)}</small></td><td class="${sign[c.verdict]?.[0] ?? "un"}">${sign[c.verdict]?.[1] ?? escaped(c.verdict)}</td></tr>`;
+const table = (title, head, rows) => `<h2>${title}</h2><div class="tw"><table><thead><tr>${head.map((h, k) => `<th${k === 1 ? ' class="n"' : ""}>${h}</th>`).join("")}</tr></thead><tbody>${rows.join("")}</tbody></table></div>`;
+
+function atlasTable(entries) {
+  if (!entries?.length) return "";
+  const number = (value, atMost) => (value === null ? "–" : `${atMost ? "≤ " : ""}${three(value)}`);
+  const rows = entries.map((e) => `<tr><td>${escaped(e.density)}, flow ${escaped(e.flow)}<small>${e.inside ? `porosity ${three(e.porosity)}` : "outside the atlas"}</small></td><td class="n">${number(known(e.i1) ?? null, e.i1_at_most)}</td><td class="n">${number(known(e.i10) ?? null, e.i10_at_most)}</td></tr>`);
+  const { size_ratio: ratio, fines_content: content } = entries[0];
+  return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows)}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
+}
+
+function words(found) {
+  const { stable, unstable } = found.tally, counted = stable + unstable, i = found.seepage?.gradient;
+  const lines = [counted === 0 ? "No criterion can say of this curve alone." : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`];
+  const moves = (found.atlas ?? []).filter((e) => e.inside && !e.wide_fines && e.flow === found.seepage?.flow && known(e.i1) !== undefined);
+  if (moves.length && i > 0) {
+    const all = moves.map((e) => e.i1), range = [...new Set([Math.min(...all), Math.max(...all)].map((x) => x.toFixed(2)))].join(" to ");
+    const most = moves.some((e) => e.i1_at_most) ? "at most " : "", safety = [...new Set([Math.min(...all) / i, Math.max(...all) / i].map((x) => x.toFixed(1)))].join(" to ");
+    lines.push(`1 % of the fines move at i = ${most}${range} (atlas): factor of safety ${most}${safety}.`);
+  }
+  const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
+  if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
+  return lines;
+}
+
+function show(found, talk) {
+  soil.found = found;
+  $("verdict").innerHTML = words(found).map((line) => `<span>${escaped(line)}</span>`).join("");
+  const parts = [table("Criteria", ["criterion", "number", "verdict"], found.criteria.map(row))];
+  if (found.gradients?.length) parts.push(table("Seepage", ["criterion", "number", "verdict"], found.gradients.map(row)));
+  parts.push(atlasTable(found.atlas));
+  if (found.filter) parts.push(table(`The filter ${escaped(soil.filter?.name ?? "")}`, ["rule", "number", "verdict"], found.filter.criteria.map(row)));
+  const sizes = found.sizes;
+  parts.push(`<p class="cap">d10 ${mm(sizes.d10)}, d50 ${mm(sizes.d50)}, d60 ${mm(sizes.d60)} mm; Cu ${three(found.uniformity)}.</p>`);
+  $("soil-results").innerHTML = parts.join("");
+  if (soil.curve.isEdited) $("remarks").innerHTML = list(talk.filter((line) => line.includes("W5")));
+  draw();
+}
+
+const assess = afterChanges(40, async (signal) => {
+  if (!soil.curve) return;
+  try {
+    const { result, talk } = await post("/api/assess", {
+      ...curveFields(), ...conditionFields(), "relative-density": $("density").value,
+      alpha: Number($("gradient").value) > 0 ? $("alpha").value : "", filter: soil.filter,
+    }, signal);
+    trouble();
+    show(result.soils[0], talk);
+  } catch (error) {
+    if (error.name === "AbortError") throw error;
+    trouble(error);
+  }
+});
+
+/** Redraws the curve with what a case would leave out. */
+export function showSizes(sizes) {
+  soil.sizes = sizes;
+  if (soil.curve) draw();
+}
+
+export function connectSoil(changed) {
+  const readLater = afterChanges(250, read), drop = $("drop");
+  const showGradient = () => { $("gradient-shown").textContent = Number($("gradient").value).toFixed(2); };
+  $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file.name, file); });
+  document.addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
+  document.addEventListener("dragleave", () => drop.classList.remove("over"));
+  document.addEventListener("drop", (event) => {
+    event.preventDefault();
+    drop.classList.remove("over");
+    const file = event.dataTransfer.files[0];
+    if (!file) return;
+    location.hash = "#soil";
+    take(file.name, file);
+  });
+  $("table").addEventListener("input", () => {
+    soil.name = soil.blob && soil.name ? soil.name : "pasted.csv";
+    soil.blob = new Blob([$("table").value]);
+    offerColumns($("table").value);
+    readLater();
+  });
+  for (const id of ["size-column", "size-unit", "amount-column", "amount-kind", "by", "sheet", "rows"]) $(id).addEventListener("change", () => soil.blob && read());
+  $("as-found").addEventListener("click", () => { readAsFound(); if (soil.blob) read(); });
+  $("sample").addEventListener("change", () => choose(Number($("sample").value)));
+  $("back").addEventListener("click", () => choose(soil.which));
+  $("print").addEventListener("click", () => window.print());
+  for (const id of ["gradient", "flow", "density", "alpha", "fines"]) $(id).addEventListener("input", () => { showGradient(); assess(); changed(); });
+  $("filter-file").addEventListener("change", () => {
+    const file = $("filter-file").files[0];
+    soil.filter = file ? { name: file.name, blob: file } : null;
+    $("no-filter").hidden = !file;
+    assess();
+  });
+  $("no-filter").addEventListener("click", () => { $("filter-file").value = ""; soil.filter = null; $("no-filter").hidden = true; assess(); });
+  window.addEventListener("resize", () => soil.curve && draw());
+  for (const form of document.forms) form.addEventListener("submit", (event) => event.preventDefault());
+  showGradient();
+}

@@ -1,0 +1,17 @@
+// Elements, numbers and words of the page.
+import "../assess/curve.js";
+
+export const { three, mm, escaped } = globalThis.CurveChart;
+export const $ = (id) => document.getElementById(id);
+export const seconds = (s) =>
+  s < 1 ? "less than 1 s" : s < 100 ? `${Math.round(s)} s` : s < 5400 ? `${Math.round(s / 60)} min` : s < 172800 ? `${(s / 3600).toPrecision(2)} h` : `${Math.round(s / 86400)} days`;
+export const secondsRange = ([least, most]) =>
+  (seconds(least) === seconds(most) ? seconds(most) : least < 1 ? `up to ${seconds(most)}` : `${seconds(least)} to ${seconds(most)}`);
+export const bytes = (b) => (b < 1e9 ? `${Math.max(1, Math.round(b / 1e6))} MB` : `${(b / 1e9).toPrecision(3)} GB`);
+export const list = (texts) => texts.map((text) => `<li>${escaped(text)}</li>`).join("");
+
+/** Shows an error at the top of the page until the next success. */
+export function trouble(error) {
+  $("trouble").hidden = !error;
+  $("trouble").textContent = error ? error.message : "";
+}
