@@ -38,6 +38,8 @@ page=$tree/share/suffuse/report-page
 if [ -d "$page" ]; then
     [ "$(tail -n 1 "$folder/script")" = "$page" ] || fail "the script finds the page at $(tail -n 1 "$folder/script")"
     grep -qF "$(cat "$page/page.js.sha256")" "$folder/run/report.html" || fail "the report has not the page's script"
+    "$python" -B "$here/../studio/test_studio.py" "$program" Soils.test_the_criteria_are_those_of_assess >"$folder/log" 2>&1 ||
+        { cat "$folder/log" >&2 && fail "the studio does not answer"; }
 fi
 "$program" completions bash | cmp -s - "$tree/share/bash-completion/completions/suffuse" || fail "the completions are not the program's"
 "$program" man | cmp -s - "$tree/share/man/man1/suffuse.1" || fail "the manual page is not the program's"

@@ -32,7 +32,7 @@ function numberLines(problems = []) {
 function showProblems(problems) {
   numberLines(problems);
   $("problems").innerHTML = problems.map((p) =>
-    `<li class="${p.kind === "error" ? "no" : "un"}">${p.line > 0 ? `<button type="button" data-line="${p.line}">line ${p.line}</button>` : ""}${escaped(p.message)}${p.help ? `. ${escaped(p.help)}` : ""}</li>`).join("");
+    `<li class="${p.kind === "error" ? "no" : "un"}">${p.line > 0 ? `<button type="button" data-line="${p.line}">line ${p.line}</button>` : ""}${escaped(p.message)}${p.help ? `; ${escaped(p.help)}` : ""}</li>`).join("");
 }
 
 function goToLine(number) {
