@@ -2,7 +2,9 @@
 // The cases that `new` starts from: the files of examples/, embedded when the program is built (embed_templates.cmake).
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace suffuse::apps {
 
@@ -13,5 +15,15 @@ struct TemplateFile {
 };
 
 std::span<const TemplateFile> template_files();
+
+inline std::vector<std::string> template_names() {
+    std::vector<std::string> names;
+    for (const TemplateFile& file : template_files()) {
+        if (names.empty() || names.back() != file.name) {
+            names.emplace_back(file.name);
+        }
+    }
+    return names;
+}
 
 } // namespace suffuse::apps

@@ -38,16 +38,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<std::string> template_names() {
-    std::vector<std::string> names;
-    for (const TemplateFile& file : template_files()) {
-        if (names.empty() || names.back() != file.name) {
-            names.emplace_back(file.name);
-        }
-    }
-    return names;
-}
-
 struct NewVerb final : Verb {
     NewVerb()
         : Verb(

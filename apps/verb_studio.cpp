@@ -15,9 +15,11 @@
 #include "apps/studio/program.hpp"
 #include "apps/studio/run_folders.hpp"
 #include "apps/studio/server.hpp"
+#include "apps/templates.hpp"
 #include "apps/verb.hpp"
 #include "apps/verbs.hpp"
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -119,7 +121,7 @@ int StudioVerb::act(const CommandLine&, const Console& console) const {
         sigaddset(&ends, signal);
     }
     pthread_sigmask(SIG_BLOCK, &ends, nullptr); // before any thread: this one alone waits for them
-    studio::Server server(runs, page);
+    studio::Server server(runs, page, template_names());
     bind(server, port, console);
     server.start();
     console.result(server.address());

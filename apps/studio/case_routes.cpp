@@ -201,6 +201,9 @@ void resume(const httplib::Request& request, httplib::Response& response, Studio
 } // namespace
 
 void add_case_routes(httplib::Server& server, Studio& studio) {
+    server.Get("/api/examples", [&](const auto&, auto& response) {
+        answer(response, 200, {{"result", studio.examples}});
+    });
     server.Post("/api/new", make_case);
     server.Post("/api/check", check);
     server.Post("/api/plan", [&](const auto& request, auto& response) { plan(request, response, studio); });

@@ -13,9 +13,9 @@
 namespace suffuse::studio {
 
 struct Studio {
-    std::filesystem::path folder; ///< of the runs
-    std::filesystem::path page;   ///< of the files that npm bundled
-    std::mutex starting;          ///< held from the look at the memory until a run has published its own plan
+    std::filesystem::path folder;      ///< of the runs
+    std::vector<std::string> examples; ///< that a case can start from
+    std::mutex starting;               ///< held from the look at the memory until a run has published its own plan
 };
 
 void add_soil_routes(httplib::Server& server);

@@ -10,6 +10,7 @@
 #include <exception>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace suffuse::studio {
 namespace {
@@ -55,10 +56,11 @@ struct Server::Parts {
     std::thread thread;
 };
 
-Server::Server(const fs::path& folder, const fs::path& page) : parts_(std::make_unique<Parts>()) {
+Server::Server(const fs::path& folder, const fs::path& page, std::vector<std::string> examples)
+    : parts_(std::make_unique<Parts>()) {
     Parts& parts = *parts_;
     parts.studio.folder = fs::canonical(folder);
-    parts.studio.page = page;
+    parts.studio.examples = std::move(examples);
     httplib::Server& server = parts.server;
     server.new_task_queue = [] { return new httplib::ThreadPool(requests_at_once); };
     server.set_socket_options(set_socket_options);

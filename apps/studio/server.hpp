@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace suffuse::studio {
 
@@ -12,7 +13,8 @@ class Server {
 public:
     /// @param folder of the runs; it exists
     /// @param page folder of the files that npm bundled
-    Server(const std::filesystem::path& folder, const std::filesystem::path& page);
+    /// @param examples that `suffuse new --from` knows
+    Server(const std::filesystem::path& folder, const std::filesystem::path& page, std::vector<std::string> examples);
     ~Server();
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

@@ -149,6 +149,12 @@ test("runs: searched, their report in a frame without rights, two compared, one 
   assert.equal(await frame.evaluate(() => fetch("/api/runs").then(() => "read", () => "refused")), "refused");
   await picture(page, "runs");
   complaints.length = 0; // the browser's, of what was just refused
+  const printed = await page.evaluate(async () => {
+    await fetch("/api/runs/replay-0001/pdf", { method: "POST", body: new FormData() });
+    const answer = await fetch("/runs/replay-0001/report.pdf");
+    return [answer.headers.get("content-type"), (await answer.text()).slice(0, 4)];
+  });
+  assert.deepEqual(printed, ["application/pdf", "%PDF"]);
   await page.fill("#search", "");
   for (const name of ["replay-0001", "replay-0002"]) await page.check(`[data-run="${name}"]`);
   await page.click("#compare");

@@ -336,6 +336,15 @@ class Runs(InAFolder):
         self.assertEqual(state["events"][-1]["event"], "run ends")
         self.assertEqual(studio.get("/runs/my-replay-0001/report.html").headers["Content-Type"], "text/html; charset=utf-8")
 
+    def test_every_example_that_is_offered_can_be_started_from(self):
+        studio = self.studio()
+        names = studio.get_json("/api/examples")["result"]
+        self.assertIn("fontainebleau-2016", names)
+        for name in names:
+            answer = studio.post("/api/new", {"from": name})
+            self.assertEqual(answer.status, 200, name)
+            self.assertIn("schema = 1", json.loads(answer.text)["result"]["case"], name)
+
     def test_an_error_of_a_case_has_its_line(self):
         studio = self.studio()
         case = self.case(studio)

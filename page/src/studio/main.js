@@ -19,7 +19,7 @@ function open() {
   if (tab === "runs") openRuns(decodeURIComponent(rest.join("/")));
 }
 
-connectSoil(() => {});
+connectSoil();
 connectSimulate();
 connectRuns();
 window.addEventListener("hashchange", open);

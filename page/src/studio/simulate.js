@@ -1,13 +1,14 @@
 // The tab Simulate: a case made from the soil or from an example, its text, its price, and its run.
 import { $, escaped, list, secondsRange, trouble } from "./words.js";
-import { afterChanges, post } from "./server.js";
+import { afterChanges, get, post } from "./server.js";
 import { RunView, planFacts } from "./run_view.js";
 import { conditionFields, curveFields, showSizes, soil } from "./soil.js";
 
-const examples = [
-  ["fontainebleau-2016", "Erosion of Fontainebleau sand"], ["critical-gradient", "The critical gradient of a gap-graded soil"],
-  ["laboratory", "Laboratory tests: triaxial, shear, oedometer, cyclic"], ["replay", "A small packing: seconds"],
-];
+/** What is known of an example beyond its name. */
+const titles = {
+  "fontainebleau-2016": "erosion of Fontainebleau sand", "critical-gradient": "the gradient that moves the fines", replay: "a small packing, seconds",
+  laboratory: "laboratory tests", "silty-sand-2016": "strength over the fines content", "million-grains": "a million grains, hours",
+};
 const held = { files: {} }; // what the case names
 let view;
 
@@ -95,7 +96,8 @@ async function make() {
     take(result.case, result.files, example || soil.curve.name.replace(/\.[^.]*$/, ""));
   } catch (error) {
     trouble(error);
-    $("made").innerHTML = "";
+    const isWhole = !example && soil.curve && way === "";
+    $("made").innerHTML = isWhole ? list(["A soil that is too wide to simulate whole can be modeled in part, or by a surrogate: choose under Model it."]) : "";
   }
   $("make").disabled = false;
 }
@@ -138,7 +140,9 @@ export function openSimulate() {
 
 export function connectSimulate() {
   view = new RunView($("live"));
-  $("from").innerHTML += examples.map(([name, text]) => `<option value="${name}">${text}</option>`).join("");
+  get("/api/examples").then(({ result }) => {
+    $("from").innerHTML += result.map((name) => `<option value="${escaped(name)}">${escaped(name)}${titles[name] ? `: ${titles[name]}` : ""}</option>`).join("");
+  }, trouble);
   for (const id of ["from", "way", "size-from", "size-to"]) $(id).addEventListener("input", showWay);
   $("make").addEventListener("click", make);
   $("start").addEventListener("click", start);

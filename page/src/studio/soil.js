@@ -35,6 +35,10 @@ export const conditionFields = () => ({
   fines: $("fines").value ? `${$("fines").value}mm` : "",
 });
 
+/** What only counts where water seeps. */
+const seepageFields = () => (Number($("gradient").value) > 0
+  ? { alpha: $("alpha").value, porosity: $("porosity").value, density: $("grain-density").value ? `${$("grain-density").value}kg/m^3` : "" } : {});
+
 /** Columns of a table, for the choice: the number of each, and its heading. */
 function columnsOf(text) {
   const lines = text.split(/\r?\n/).slice(0, 60).filter((line) => line.trim());
@@ -131,7 +135,8 @@ function draw() {
   $("soil-buttons").hidden = false;
   $("back").hidden = !soil.curve.isEdited;
   chart.draw();
-  const { d, f, isEdited } = soil.curve, notes = [isEdited ? "The curve was edited here." : "Drag a point up or down (with Shift also sideways), or use the arrow keys."];
+  const { d, f, isEdited } = soil.curve, notes = isEdited ? ["The curve was edited here."] : [];
+  $("curve-hint").hidden = false;
   if (soil.found?.gap) notes.push(`Shaded: the gap, ${mm(soil.found.gap.from)} to ${mm(soil.found.gap.to)} mm.`);
   if (soil.sizes) notes.push("Grey: what the modeled part leaves out.");
   if (f[0] > 0) notes.push(`${three(100 * f[0])} % is finer than the last size.`);
@@ -170,6 +175,7 @@ function words(found) {
   }
   const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
   if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
+  if (found.filter) lines.push(`The filter ${soil.filter?.name ?? ""} ${found.filter.summary}.`);
   return lines;
 }
 
@@ -191,8 +197,7 @@ const assess = afterChanges(40, async (signal) => {
   if (!soil.curve) return;
   try {
     const { result, talk } = await post("/api/assess", {
-      ...curveFields(), ...conditionFields(), "relative-density": $("density").value,
-      alpha: Number($("gradient").value) > 0 ? $("alpha").value : "", filter: soil.filter,
+      ...curveFields(), ...conditionFields(), ...seepageFields(), "relative-density": $("density").value, filter: soil.filter,
     }, signal);
     trouble();
     show(result.soils[0], talk);
@@ -208,7 +213,7 @@ export function showSizes(sizes) {
   if (soil.curve) draw();
 }
 
-export function connectSoil(changed) {
+export function connectSoil() {
   const readLater = afterChanges(250, read), drop = $("drop");
   const showGradient = () => { $("gradient-shown").textContent = Number($("gradient").value).toFixed(2); };
   $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file.name, file); });
@@ -233,7 +238,7 @@ export function connectSoil(changed) {
   $("sample").addEventListener("change", () => choose(Number($("sample").value)));
   $("back").addEventListener("click", () => choose(soil.which));
   $("print").addEventListener("click", () => window.print());
-  for (const id of ["gradient", "flow", "density", "alpha", "fines"]) $(id).addEventListener("input", () => { showGradient(); assess(); changed(); });
+  for (const id of ["gradient", "flow", "density", "alpha", "porosity", "grain-density", "fines"]) $(id).addEventListener("input", () => { showGradient(); assess(); });
   $("filter-file").addEventListener("change", () => {
     const file = $("filter-file").files[0];
     soil.filter = file ? { name: file.name, blob: file } : null;
