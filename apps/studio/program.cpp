@@ -49,7 +49,9 @@ pid_t spawn(const std::vector<std::string>& words, const fs::path& folder, const
         &attributes,
         static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | (own_session ? POSIX_SPAWN_SETSID : 0))
     );
-    std::vector<char*> arguments{const_cast<char*>("suffuse")};
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 2);
+    arguments.push_back(const_cast<char*>("suffuse"));
     for (const std::string& word : words) {
         arguments.push_back(const_cast<char*>(word.c_str()));
     }

@@ -34,8 +34,8 @@ bool holds_lock(const fs::path& process, const std::string& descriptor) {
 
 fs::path find_below(const fs::path& root, const std::string& name) {
     std::error_code error;
-    const fs::path above = fs::canonical(root, error),
-                   found = fs::canonical(root / fs::path(name).relative_path(), error);
+    const fs::path above = fs::canonical(root, error);
+    fs::path found = fs::canonical(root / fs::path(name).relative_path(), error);
     const auto [end, rest] = std::mismatch(above.begin(), above.end(), found.begin(), found.end());
     if (error || end != above.end() || rest == found.end()) {
         throw Refusal(404, "there is no such file in the studio's folder");
@@ -44,7 +44,7 @@ fs::path find_below(const fs::path& root, const std::string& name) {
 }
 
 fs::path find_run(const fs::path& root, const std::string& name) {
-    const fs::path found = find_below(root, name);
+    fs::path found = find_below(root, name);
     const bool is_child = found.parent_path() == fs::canonical(root) && found.filename() == name;
     std::error_code error;
     if (!is_child || !fs::is_regular_file(found / record::resolved_case_file, error)) {
@@ -110,7 +110,7 @@ void remove_run(const fs::path& run) {
 
 fs::path make_numbered_folder(const fs::path& root, const std::string& name) {
     for (int number = 1;; ++number) {
-        const fs::path folder = root / fmt::format("{}-{:04}", name, number);
+        fs::path folder = root / fmt::format("{}-{:04}", name, number);
         if (io::make_folder(folder)) {
             return folder;
         }

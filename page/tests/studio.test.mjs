@@ -150,7 +150,9 @@ test("runs: searched, their report in a frame without rights, two compared, one 
   await picture(page, "runs");
   complaints.length = 0; // the browser's, of what was just refused
   const printed = await page.evaluate(async () => {
-    await fetch("/api/runs/replay-0001/pdf", { method: "POST", body: new FormData() });
+    const form = new FormData();
+    form.append("from-page", "studio");
+    await fetch("/api/runs/replay-0001/pdf", { method: "POST", body: form });
     const answer = await fetch("/runs/replay-0001/report.pdf");
     return [answer.headers.get("content-type"), (await answer.text()).slice(0, 4)];
   });

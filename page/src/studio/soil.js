@@ -73,11 +73,11 @@ async function take(name, blob) {
   const most = 200_000, text = blob.size < most ? await blob.text() : "";
   $("table").value = text.includes("\0") ? "" : text;
   offerColumns(text);
-  await read();
+  read();
 }
 
 /** Reads the file anew: its samples and their points. */
-async function read(signal) {
+const read = afterChanges(60, async (signal) => {
   try {
     const { result, talk } = await post("/api/reading", { curve: { name: soil.name, blob: soil.blob }, ...readingFields() }, signal);
     soil.samples = result.soils;
@@ -92,7 +92,7 @@ async function read(signal) {
     trouble(error);
     $("correct").open = true;
   }
-}
+});
 
 /** One of the samples, as it was read. */
 function choose(which) {
@@ -214,7 +214,7 @@ export function showSizes(sizes) {
 }
 
 export function connectSoil() {
-  const readLater = afterChanges(250, read), drop = $("drop");
+  const drop = $("drop");
   const showGradient = () => { $("gradient-shown").textContent = Number($("gradient").value).toFixed(2); };
   $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file.name, file); });
   document.addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
@@ -231,7 +231,7 @@ export function connectSoil() {
     soil.name = soil.blob && soil.name ? soil.name : "pasted.csv";
     soil.blob = new Blob([$("table").value]);
     offerColumns($("table").value);
-    readLater();
+    read();
   });
   for (const id of ["size-column", "size-unit", "amount-column", "amount-kind", "by", "sheet", "rows"]) $(id).addEventListener("change", () => soil.blob && read());
   $("as-found").addEventListener("click", () => { readAsFound(); if (soil.blob) read(); });
