@@ -2,6 +2,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
+#include "suffuse/figures/six_digits.hpp"
 #include "suffuse/study/findings.hpp"
 #include "suffuse/study/passes.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numeric>
 
@@ -32,11 +32,6 @@ struct Panel {
     std::string title; ///< above the panel
     const ProbeResult* probe;
 };
-
-/// Six digits are more than a line shows; the run's own files hold all of them.
-double rounded(double value) {
-    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
-}
 
 /// "i = 0.05", with the watch where two probes share a gradient.
 std::vector<std::string> probe_names(const std::vector<ProbeResult>& probes) {
@@ -125,8 +120,8 @@ void add_group(
     for (const std::size_t g : sampled_grains(probe, group, room)) {
         for (std::size_t sample = 0; sample <= erosion::probe_samples; ++sample) {
             out.row(
-                panel.name, name, probe.id[g], static_cast<double>(sample) * spacing, rounded(probe.speed[g][sample]),
-                missing, missing
+                panel.name, name, probe.id[g], static_cast<double>(sample) * spacing,
+                six_digits(probe.speed[g][sample]), missing, missing
             );
         }
     }

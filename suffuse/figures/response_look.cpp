@@ -1,23 +1,16 @@
 #include "suffuse/figures/response_look.hpp"
 
+#include "suffuse/figures/six_digits.hpp"
 #include "suffuse/study/fines_study.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace suffuse::figures {
 
 namespace {
 
 using nlohmann::json;
-
-/// Six digits are more than a line shows.
-double rounded(double value) {
-    return std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
-}
 
 /// Every n-th row, and the last.
 std::vector<std::size_t> drawn_rows(std::size_t count, std::size_t most) {
@@ -49,15 +42,15 @@ Table response_table(const std::vector<study::ResponseCurve>& tests, std::size_t
             const study::StressStrainRow spread = test.deviation.empty() ? study::StressStrainRow{} : test.deviation[k];
             name.push_back(test.name);
             row_number.push_back(static_cast<double>(k));
-            axial.push_back(rounded(100 * row.axial_strain));
-            deviator.push_back(rounded(row.deviator_stress / 1e3));
-            q_deviation.push_back(rounded(spread.deviator_stress / 1e3));
-            mean.push_back(rounded(row.mean_stress / 1e3));
-            volumetric.push_back(rounded(100 * row.volumetric_strain));
-            v_deviation.push_back(rounded(100 * spread.volumetric_strain));
-            void_ratio.push_back(rounded(row.void_ratio));
-            pore_pressure.push_back(rounded(row.excess_pore_pressure / 1e3));
-            u_deviation.push_back(rounded(spread.excess_pore_pressure / 1e3));
+            axial.push_back(six_digits(100 * row.axial_strain));
+            deviator.push_back(six_digits(row.deviator_stress / 1e3));
+            q_deviation.push_back(six_digits(spread.deviator_stress / 1e3));
+            mean.push_back(six_digits(row.mean_stress / 1e3));
+            volumetric.push_back(six_digits(100 * row.volumetric_strain));
+            v_deviation.push_back(six_digits(100 * spread.volumetric_strain));
+            void_ratio.push_back(six_digits(row.void_ratio));
+            pore_pressure.push_back(six_digits(row.excess_pore_pressure / 1e3));
+            u_deviation.push_back(six_digits(spread.excess_pore_pressure / 1e3));
             samples.push_back(test.samples);
         }
     }
