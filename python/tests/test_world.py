@@ -308,6 +308,8 @@ def test_a_triaxial_test_without_stress_or_pace_is_refused(cloud, settled):
         ({"deviator_stress": "-50 kPa"}, "deviator_stress: .*above 0"),
         ({"stress_ratio": 0.5, "deviator_stress": "50 kPa"}, "keep one of them"),
         ({"path": "constant-deviator", "deviator_stress": "50 kPa"}, "give stress_ratio instead"),
+        ({"path": "undrained", "b": 0.5}, "b belongs to a drained test"),
+        ({"direction": "sideways"}, "expected one of compression, extension"),
     ):
         with pytest.raises(suffuse.CaseError, match=message):
             settled.triaxial(**wrong)
@@ -325,6 +327,24 @@ def test_triaxial_paths_bear_the_names_of_cases(settled):
         settled.triaxial(path="oedometer")
     with pytest.raises(suffuse.CaseError, match="strain_ratio"):
         settled.triaxial(path="proportional")
+
+
+def test_laboratory_tests_return_their_numbers_and_rows(settled):
+    oedometer = settled.copy().oedometer(["200 kPa", "100 kPa"], inertial_number=3e-3)
+    assert 0.2 < oedometer["k0"] < 0.9 and oedometer["swelling_index"] > 0
+    assert settled.copy().isotropic([2e5], inertial_number=3e-3)["swelling_index"] is None
+    assert settled.copy().plane_strain("1 %", inertial_number=3e-3)["response"]["peak_deviator"] > 0
+    shear = settled.copy().shear("2 %", hold="stress", axes="xy", inertial_number=3e-3)
+    assert shear["rows"][-1]["shear_strain"] == pytest.approx(0.02, rel=0.1)
+    cyclic = settled.copy().cyclic(csr=0.1, cycles=1, inertial_number=3e-3)
+    assert cyclic["cycles"] == 1 and {row["cycle"] for row in cyclic["rows"]} == {0, 0.5}
+    extended = settled.copy().triaxial("1 %", direction="extension", inertial_number=3e-3)
+    assert extended["response"]["peak_deviator"] < 0
+    for wrong in ({}, {"csr": 0.1, "strain_amplitude": "1 %"}):
+        with pytest.raises(suffuse.CaseError, match="one amplitude"):
+            settled.cyclic(**wrong)
+    with pytest.raises(suffuse.CaseError, match="stresses: found none"):
+        settled.oedometer([])
 
 
 LOOKS = {

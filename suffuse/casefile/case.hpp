@@ -25,7 +25,8 @@ namespace suffuse::casefile {
 using StageSpec = std::variant<
     ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec,
     triaxial::StressProbeSpec, dem::AdvanceSpec, flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec,
-    erosion::RemoveSpec>;
+    erosion::RemoveSpec, triaxial::OedometerSpec, triaxial::IsotropicSpec, triaxial::PlaneStrainSpec,
+    triaxial::ShearSpec, triaxial::CyclicSpec>;
 
 /// A value as it stands in the case file: a quantity stays a text with its unit.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;
@@ -121,6 +122,9 @@ struct Case {
     OutputSpec output;
     ReportSpec report;
 };
+
+/// What a laboratory test of any verb is to do; nothing of other stages.
+const triaxial::TriaxialSpec* laboratory_test(const StageSpec& spec);
 
 /// "pack", "erode", ...: the verb of a stage.
 std::string verb_of(const StageSpec& spec);

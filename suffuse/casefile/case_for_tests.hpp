@@ -214,6 +214,56 @@ share = "50 %"
 order = "least-stressed"
 passes = 5
 max_strain = "10 %"
+[[study.main.stage]]
+name = "extended"
+from = "initial"
+do = "triaxial"
+direction = "extension"
+b = 0.4
+strain = "10 %"
+[[study.main.stage]]
+name = "one-dimensional"
+from = "initial"
+do = "oedometer"
+axis = "y"
+stresses = ["400 kPa", "50 kPa"]
+strain = "10 %"
+inertia = "own"
+[[study.main.stage]]
+name = "all-around"
+from = "initial"
+do = "isotropic"
+stresses = ["200 kPa", "100 kPa", "400 kPa"]
+rows = 50
+[[study.main.stage]]
+name = "plane"
+from = "initial"
+do = "plane-strain"
+axis = "x"
+direction = "extension"
+strain = "5 %"
+[[study.main.stage]]
+name = "sheared"
+from = "initial"
+do = "shear"
+hold = "stress"
+axes = "xy"
+strain = "30 %"
+time_step = "1e-8 s"
+[[study.main.stage]]
+name = "shaken"
+from = "initial"
+do = "cyclic"
+drainage = "drained"
+axis = "y"
+csr = 0.15
+cycles = 5
+until = { pore_pressure_ratio = 0.9, double_amplitude = "2 %" }
+[[study.main.stage]]
+name = "strained"
+from = "initial"
+do = "cyclic"
+strain_amplitude = "0.1 %"
 [study.other]
 soil = "whole"
 [[study.other.stage]]

@@ -173,19 +173,82 @@ void fields(V& v, dem::AdvanceSpec& s) {
     servo_field(v, s.loading.servo);
 }
 
+/// How quickly a test loads, and how closely it is recorded.
 template <class V>
-void fields(V& v, triaxial::TriaxialSpec& s) {
-    v.choice("path", s.path, names::triaxial_path);
-    v.choice("axis", s.axis, names::axis);
-    v.field("strain", s.strain);
-    v.field("strain_ratio", s.strain_ratio);
-    v.field("deviator_stress", s.deviator_stress);
-    v.field("stress_ratio", s.stress_ratio);
+void pace_fields(V& v, triaxial::TriaxialSpec& s) {
     inertial_number_field(v, s.inertial_number);
     v.choice("inertia", s.inertia, names::grain_inertia);
     v.time_step(s.time_step);
     v.field("rows", s.rows);
+}
+
+template <class V>
+void fields(V& v, triaxial::TriaxialSpec& s) {
+    v.choice("path", s.path, names::triaxial_path);
+    v.choice("axis", s.axis, names::axis);
+    if (V::reads || s.direction != triaxial::Direction::Compression) { // as of old, see solver_fields
+        v.choice("direction", s.direction, names::direction);
+    }
+    v.field("b", s.b);
+    v.field("strain", s.strain);
+    v.field("strain_ratio", s.strain_ratio);
+    v.field("deviator_stress", s.deviator_stress);
+    v.field("stress_ratio", s.stress_ratio);
+    pace_fields(v, s);
     check_path(v, s);
+}
+
+/// Of the verbs that go from stress to stress.
+template <class V>
+void stresses_fields(V& v, triaxial::TriaxialSpec& s) {
+    v.choice("axis", s.axis, names::axis);
+    v.field("stresses", s.stresses);
+    v.field("strain", s.strain);
+    pace_fields(v, s);
+}
+
+template <class V>
+void fields(V& v, triaxial::OedometerSpec& s) {
+    stresses_fields(v, s);
+}
+
+template <class V>
+void fields(V& v, triaxial::IsotropicSpec& s) {
+    stresses_fields(v, s);
+}
+
+template <class V>
+void fields(V& v, triaxial::PlaneStrainSpec& s) {
+    v.choice("axis", s.axis, names::axis);
+    v.choice("direction", s.direction, names::direction);
+    v.field("strain", s.strain);
+    pace_fields(v, s);
+}
+
+template <class V>
+void fields(V& v, triaxial::ShearSpec& s) {
+    v.choice("hold", s.path, names::shear_hold);
+    v.choice("axes", s.shear_axes, names::shear_axes);
+    v.field("strain", s.strain);
+    pace_fields(v, s);
+    s.axis = s.shear_axes.normal;
+}
+
+template <class V>
+void fields(V& v, triaxial::CyclicSpec& s) {
+    triaxial::Cycles& cycles = *s.cycles;
+    v.choice("drainage", s.path, names::drainage);
+    v.choice("axis", s.axis, names::axis);
+    v.field("csr", cycles.csr);
+    v.field("strain_amplitude", cycles.strain);
+    v.field("cycles", cycles.number);
+    v.table("until", [&](auto& inner) {
+        inner.field("pore_pressure_ratio", cycles.pore_pressure_ratio);
+        inner.field("double_amplitude", cycles.double_amplitude);
+    });
+    s.strain = cycles.double_amplitude; // for the rows
+    pace_fields(v, s);
+    check_cycles(v, s);
 }
 
 template <class V>

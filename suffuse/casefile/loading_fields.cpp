@@ -291,9 +291,33 @@ void check_path(Reader& v, const triaxial::TriaxialSpec& s) {
             "stop at a stress_ratio instead, or take the key out"
         );
     }
+    if (s.b && (s.path != triaxial::Path::Drained || s.stops_at_stress())) {
+        v.error(
+            "E207", v.place(), fmt::format("{} gives `b`, which a drained test to a strain keeps to", v.title()),
+            "take out `path` and the stress to stop at, or take out `b`"
+        );
+    }
+    if (s.direction == triaxial::Direction::Extension && s.path == triaxial::Path::ConstantDeviator) {
+        v.error(
+            "E207", v.place(), fmt::format("{} holds the deviator stress, and extends", v.title()),
+            "take out `direction`: the sign of the deviator stress is that of the state it starts from"
+        );
+    }
 }
 
 void check_path(Writer&, const triaxial::TriaxialSpec&) {}
+
+void check_cycles(Reader& v, const triaxial::CyclicSpec& s) {
+    if (s.cycles->csr.has_value() == s.cycles->strain.has_value()) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} gives {} amplitude", v.title(), s.cycles->csr ? "a stress and a strain as its" : "no"),
+            "give either csr = 0.2 (amplitude of q over twice the mean stress) or strain_amplitude = \"0.1 %\""
+        );
+    }
+}
+
+void check_cycles(Writer&, const triaxial::CyclicSpec&) {}
 
 void check_start(Reader& v, const packing::CompactSpec& s) {
     if (s.start_porosity && s.protocol != packing::Protocol::Swift) {

@@ -58,6 +58,24 @@ inline constexpr std::array triaxial_path = {
     Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"},
     Word<triaxial::Path>{triaxial::Path::Proportional, "proportional"}};
 
+inline constexpr std::array direction = {
+    Word<triaxial::Direction>{triaxial::Direction::Compression, "compression"},
+    Word<triaxial::Direction>{triaxial::Direction::Extension, "extension"}};
+
+inline constexpr std::array shear_hold = {
+    Word<triaxial::Path>{triaxial::Path::ShearAtVolume, "volume"},
+    Word<triaxial::Path>{triaxial::Path::ShearAtStress, "stress"}};
+
+inline constexpr std::array drainage = {
+    Word<triaxial::Path>{triaxial::Path::Undrained, "undrained"},
+    Word<triaxial::Path>{triaxial::Path::Drained, "drained"}};
+
+/// The normal of the plane, then where it slides to.
+inline constexpr std::array shear_axes = {
+    Word<triaxial::ShearAxes>{{2, 0}, "zx"}, Word<triaxial::ShearAxes>{{2, 1}, "zy"},
+    Word<triaxial::ShearAxes>{{0, 1}, "xy"}, Word<triaxial::ShearAxes>{{0, 2}, "xz"},
+    Word<triaxial::ShearAxes>{{1, 0}, "yx"}, Word<triaxial::ShearAxes>{{1, 2}, "yz"}};
+
 inline constexpr std::array if_unreachable = {
     Word<packing::IfUnreachable>{packing::IfUnreachable::Error, "error"},
     Word<packing::IfUnreachable>{packing::IfUnreachable::Nearest, "nearest"}};

@@ -35,10 +35,15 @@ void gradient_field(Writer& v, const std::optional<Mat3>& gradient);
 void loading_fields(Reader& v, cell::Loading& loading);
 void loading_fields(Writer& v, const cell::Loading& loading);
 
-/// An inertial servo needs its mass.
+/// Keys that belong to some paths only.
 void check_path(Reader& v, const triaxial::TriaxialSpec& s);
 void check_path(Writer& v, const triaxial::TriaxialSpec& s);
 
+/// One amplitude.
+void check_cycles(Reader& v, const triaxial::CyclicSpec& s);
+void check_cycles(Writer& v, const triaxial::CyclicSpec& s);
+
+/// An inertial servo needs its mass.
 void check_servo(Reader& v, const cell::ServoSpec& s);
 void check_servo(Writer& v, const cell::ServoSpec& s);
 

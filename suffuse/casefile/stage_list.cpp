@@ -203,6 +203,18 @@ Node write_stage(const Stage& stage) {
     return v.node();
 }
 
+const triaxial::TriaxialSpec* laboratory_test(const StageSpec& spec) {
+    return std::visit(
+        [](const auto& of) -> const triaxial::TriaxialSpec* {
+            if constexpr (std::is_base_of_v<triaxial::TriaxialSpec, std::decay_t<decltype(of)>>) {
+                return &of;
+            }
+            return nullptr;
+        },
+        spec
+    );
+}
+
 std::string verb_of(const StageSpec& spec) {
     return std::string(traits_of(spec).verb);
 }

@@ -93,6 +93,14 @@ inline constexpr std::tuple stage_rows{
          .ends_balanced = true,
          .keeps_path = true,
          .measures = {"coordination-of-eroded", "volumetric-strain"}}},
+    TraitsOf<triaxial::OedometerSpec>{
+        {.verb = "oedometer", .needs = Needs::Stress, .ends_balanced = true, .measures = {"volumetric-strain"}}},
+    TraitsOf<triaxial::IsotropicSpec>{
+        {.verb = "isotropic", .needs = Needs::Stress, .ends_balanced = true, .measures = {"volumetric-strain"}}},
+    TraitsOf<triaxial::PlaneStrainSpec>{
+        {.verb = "plane-strain", .needs = Needs::Stress, .measures = {"stress-strain", "volumetric-strain"}}},
+    TraitsOf<triaxial::ShearSpec>{{.verb = "shear", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
+    TraitsOf<triaxial::CyclicSpec>{{.verb = "cyclic", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
 };
 
 namespace detail {

@@ -85,7 +85,7 @@ drive(const Cell& cell, const Loading& loading, const Vec3& stress, double dt, d
         return *loading.velocity_gradient;
     }
     const double most = largest_rate(loading, servo, unit_rate);
-    Mat3 gradient{};
+    Mat3 gradient = loading.simple_shear;
     for (int a = 0; a < 3; ++a) {
         const AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
         if (axis.control == Control::StrainRate) {

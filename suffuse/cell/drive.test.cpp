@@ -241,5 +241,22 @@ TEST(Drive, ControlsEachAxisOnItsOwn) {
     EXPECT_EQ(gradient(2, 2), 2);
 }
 
+TEST(Drive, AShareIsTakenOfWhatTheOtherAxisBearsAndShearIsAddedToTheAxes) {
+    Loading loading;
+    loading.axis[1] = {Control::Share, 1e4, 0.3, 2};
+    const Vec3 stress{9e4, 6e4, 2e5};
+    EXPECT_DOUBLE_EQ(wanted_stress(loading, 1, stress), 1e4 + 0.3 * 2e5);
+    loading.axis[2] = {Control::StrainRate, 5};
+    loading.simple_shear(0, 2) = 7;
+    ServoState servo;
+    servo.modulus = {1e8, 1e8, 1e8};
+    Cell cell;
+    const Mat3 gradient = drive(cell, loading, stress, 1e-7, 1, servo);
+    EXPECT_EQ(gradient(0, 2), 7);
+    EXPECT_EQ(gradient(2, 0), 0);
+    EXPECT_EQ(gradient(2, 2), -5);
+    EXPECT_LT(gradient(1, 1), 0); // 10 kPa are missing
+}
+
 } // namespace
 } // namespace suffuse::cell

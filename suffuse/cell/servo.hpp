@@ -13,11 +13,14 @@ enum class Control {
     StrainRate,
     Stress,
     MeanStress, ///< of all axes: the axes under this control bear alike what the others leave to it
+    Share,      ///< stress: `value` and a share of what another axis bears
 };
 
 struct AxisControl {
     Control control = Control::StrainRate;
     double value = 0; ///< strain rate [1/s] or stress [Pa], compression positive
+    double share = 0; ///< of the stress along axis `of` [-]
+    int of = 0;
 };
 
 enum class ServoKind {
@@ -37,6 +40,7 @@ struct ServoSpec {
 struct Loading {
     std::array<AxisControl, 3> axis{};
     std::optional<Mat3> velocity_gradient; ///< dv/dx, extension positive [1/s]; replaces `axis` where given
+    Mat3 simple_shear{};                   ///< dv/dx off the diagonal, in addition to `axis` [1/s]
     /// Whether the cell shears until there is no shear stress between the axes; else it keeps its angles.
     bool shear_released = false;
     ServoSpec servo;
@@ -60,6 +64,9 @@ inline Vec3 shear_stresses(const Mat3& stress) {
 /// Stress that an axis under stress control should have [Pa]. @param stress of each axis
 inline double wanted_stress(const Loading& loading, int a, const Vec3& stress) {
     const AxisControl& axis = loading.axis[static_cast<std::size_t>(a)];
+    if (axis.control == Control::Share) {
+        return axis.value + axis.share * stress[axis.of];
+    }
     if (axis.control != Control::MeanStress) {
         return axis.value;
     }

@@ -314,7 +314,8 @@ StepReport advance(World& world, StepCaches& caches, const StepPlan& plan, std::
     if (caches.sleep) {
         caches.neighborhood.look_at_sleepers(world, caches.rows);
     }
-    const bool may_shear = plan.loading.velocity_gradient || cell::releases_shear(plan.loading);
+    const bool may_shear =
+        plan.loading.velocity_gradient || cell::releases_shear(plan.loading) || plan.loading.simple_shear != Mat3{};
     caches.contact_setting.normals_only = !may_shear && contacts_only_push(world);
     caches.sequel.run = [&caches](std::size_t domain) { move_one_domain(caches, domain); };
     StepReport report;

@@ -103,6 +103,25 @@ const std::vector<Fact> of_triaxial = {
     {"inertia", "", "`lent` or `own`: that of the grains during the test", ""},
 };
 
+const std::vector<Fact> of_rows = {
+    {"rows", "", "of its curve, each an object of the numbers below", ""},
+};
+
+const std::vector<Fact> of_shear_row = {
+    {"shear_strain", "-", "displacement of the top over the height at the start", ""},
+    {"shear_stress", "Pa", "along the planes that slide", ""},
+    {"normal_stress", "Pa", "across them", ""},
+    {"void_ratio", "-", "of the cell", ""},
+};
+
+const std::vector<Fact> of_cyclic_row = {
+    {"cycle", "-", "completed before the row, in halves", ""},
+    {"axial_strain", "-", "since the start", ""},
+    {"deviator_stress", "Pa", "axial minus mean lateral stress", ""},
+    {"mean_stress", "Pa", "effective", ""},
+    {"pore_pressure_ratio", "-", "excess pore pressure over the lateral stress at the start", ""},
+};
+
 const std::vector<Fact> of_instability = {
     {"q", "Pa", "deviator stress", ""},
     {"p", "Pa", "mean stress", ""},
@@ -316,8 +335,14 @@ std::vector<Group> make_groups() {
         {"`import`", "", of_import},
         {"`pack`", "", of_pack},
         {"`compact`", "", of_compact},
-        {"`triaxial`", "", of_triaxial},
-        {"`response` of `triaxial`", "response", facts_of(response)},
+        {"Laboratory tests", "", of_triaxial},
+        {"`response` of `triaxial` and `plane-strain`", "response", facts_of(response)},
+        {"`oedometer` and `isotropic`", "", facts_of(compression)},
+        {"`shear`", "", facts_of(shear)},
+        {"`cyclic`", "", facts_of(cyclic)},
+        {"`shear` and `cyclic`", "", of_rows},
+        {"A row of `shear`", "rows", of_shear_row},
+        {"A row of `cyclic`", "rows", of_cyclic_row},
         {"`instability` of a response", "instability", of_instability},
         {"`energy` of a response", "energy", of_energy},
         {"`stress-probe`", "", of_stress_probe},

@@ -2,6 +2,7 @@
 // Triaxial tests and stress probes.
 
 #include "suffuse/facts/fact.hpp"
+#include "suffuse/triaxial/laboratory_numbers.hpp"
 #include "suffuse/triaxial/response.hpp"
 
 namespace suffuse::facts {
@@ -47,6 +48,49 @@ inline constexpr std::tuple response{
         "energy", "J/m3",
         "`work`, `springs`, `motion`, `slip`, `rolling`, `damping`: where the work of the test went, over the volume "
         "at its start"
+    ),
+};
+
+/// Of `oedometer` and `isotropic`.
+inline constexpr std::tuple compression{
+    row<&triaxial::CompressionNumbers::k0>("k0", "-", "lateral over axial stress at the highest axial stress; or null")
+        .as(Shown{"K0", "K₀", "-", 3}),
+    row<&triaxial::CompressionNumbers::compression_index>(
+        "compression_index", "-", "−de/dlog₁₀σ of first loading, over its last half decade; or null"
+    )
+        .as(Shown{"compression index", "Cc", "-", 3}),
+    row<&triaxial::CompressionNumbers::swelling_index>(
+        "swelling_index", "-", "−de/dlog₁₀σ while the stress falls; or null"
+    )
+        .as(Shown{"swelling index", "Cs", "-", 3}),
+};
+
+/// Of `shear`.
+inline constexpr std::tuple shear{
+    row<&triaxial::ShearNumbers::shear_stress>("shear_stress", "Pa", "at the highest ratio of shear to normal stress"),
+    row<&triaxial::ShearNumbers::normal_stress>("normal_stress", "Pa", "there"),
+    row<&triaxial::ShearNumbers::peak_stress_ratio>("peak_stress_ratio", "-", "shear over normal stress there")
+        .as(Shown{"highest stress ratio", "τ/σₙ", "-", 3}),
+    row<&triaxial::ShearNumbers::peak_shear_strain>("peak_shear_strain", "-", "there"),
+    row<&triaxial::ShearNumbers::final_stress_ratio>("final_stress_ratio", "-", "shear over normal stress at the end"),
+    row<&triaxial::ShearNumbers::rotation>(
+        "rotation", "rad", "at the highest ratio, of the major principal stress from the normal towards the shear"
+    ),
+};
+
+/// Of `cyclic`.
+inline constexpr std::tuple cyclic{
+    row<&triaxial::CyclicNumbers::cycles>("cycles", "-", "begun, in halves"),
+    row<&triaxial::CyclicNumbers::cycles_to_liquefaction>(
+        "cycles_to_liquefaction", "-", "until the first of the limits in `until` was reached; null if none was"
+    )
+        .as(Shown{"cycles to liquefaction", "N", "-", 3}),
+    row<&triaxial::CyclicNumbers::pore_pressure_ratio>(
+        "pore_pressure_ratio", "-", "highest excess pore pressure over the lateral stress at the start"
+    )
+        .as(Shown{"pore-pressure ratio", "rᵤ", "-", 3}),
+    row<&triaxial::CyclicNumbers::double_amplitude>(
+        "double_amplitude", "-", "largest axial strain from one turn of the load to the next"
     ),
 };
 

@@ -137,6 +137,17 @@ constexpr std::array guides = {
         "Excess pore pressure and axial strain of samples that hold their deviator stress while the pressure rises.",
         "`triaxial` stages with `path = \"constant-deviator\"`"},
     Guide{
+        "own-compression", "compression and swelling",
+        "Void ratio against the logarithm of the axial stress, loaded and unloaded.",
+        "`oedometer` and `isotropic` stages"},
+    Guide{
+        "own-shear", "simple shear",
+        "Ratio of shear to normal stress, normal stress and void ratio against shear strain.", "`shear` stages"},
+    Guide{
+        "own-cyclic", "cyclic loading",
+        "Path of effective stress, loops of stress and strain, and the pore-pressure ratio against cycles.",
+        "`cyclic` stages"},
+    Guide{
         "own-energy", "where the work of the tests goes",
         "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
         "`triaxial` stages"},

@@ -172,6 +172,20 @@ TEST(MixtureFigure, ColorsOfFinesContentsInOneDrawingStayApartAlsoForTheColorBli
     EXPECT_EQ(study::fines_colors({0.2}).size(), 1U);
 }
 
+TEST(AverageResponse, OfExtensionsReachesAsFarBelowZeroAsAllOfThem) {
+    std::vector<study::StressStrainRow> far, near;
+    for (const double strain : {0.0, -0.02, -0.04, -0.08}) {
+        far.push_back({.axial_strain = strain, .deviator_stress = 1e6 * strain});
+    }
+    for (const double strain : {0.0, -0.05}) {
+        near.push_back({.axial_strain = strain, .deviator_stress = 3e6 * strain});
+    }
+    const study::ResponseCurve mean = study::average_response("m", {far, near});
+    ASSERT_EQ(mean.rows.size(), 3U);
+    EXPECT_NEAR(mean.rows[2].axial_strain, -0.04, 1e-12);
+    EXPECT_NEAR(mean.rows[2].deviator_stress, -8e4, 1e-6);
+}
+
 TEST(AverageResponse, OfCurvesOnDifferentStrainsIsTheMeanOfTheirLines) {
     std::vector<study::StressStrainRow> coarse, fine;
     for (int k = 0; k <= 10; ++k) {

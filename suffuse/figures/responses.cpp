@@ -19,7 +19,7 @@ constexpr std::size_t most_rows = 240;
 
 const study::StressStrainRow& peak_of(const study::ResponseCurve& test) {
     return *std::max_element(test.rows.begin(), test.rows.end(), [](const auto& a, const auto& b) {
-        return a.deviator_stress < b.deviator_stress;
+        return std::abs(a.deviator_stress) < std::abs(b.deviator_stress); // extension: below zero
     });
 }
 

@@ -47,8 +47,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double largest_good_hold_error = 0.1; // of a stress that a test holds: the stiffness read there is off
-
 /// The largest error of the stresses that a stage was to be in balance under, over that stress; not a number for other
 /// stages.
 double stress_error(const casefile::Stage& stage, const Mat3& stress) {
@@ -68,7 +66,7 @@ report::StageRow stage_row(const casefile::Case& what, const record::FinishedSta
     const casefile::StageSpec& spec = stage.stage->spec;
     const double none = std::numeric_limits<double>::quiet_NaN();
     const auto number = [&](const char* name) { return n.at(name).is_null() ? none : n[name].get<double>(); };
-    const auto* test = std::get_if<triaxial::TriaxialSpec>(&spec);
+    const triaxial::TriaxialSpec* const test = casefile::laboratory_test(spec);
     const bool settles = casefile::traits_of(spec).ends_balanced || (test != nullptr && test->stops_at_stress());
     const bool touches = n.at("contacts").get<std::int64_t>() > 0;
     report::StageRow row;
@@ -87,7 +85,7 @@ report::StageRow stage_row(const casefile::Case& what, const record::FinishedSta
     row.inertial_number.value = number("inertial_number_max") > 0 ? number("inertial_number_max") : none;
     if (test != nullptr) { // its rate was set by the number that its own rows hold
         if (const auto error = triaxial::find_hold_error(stage.findings.curve, test->path)) {
-            row.stress_error = {error->most, largest_good_hold_error};
+            row.stress_error = {*error, triaxial::good_hold_error};
         }
         row.inertial_number = {0, test->inertial_number};
         for (const triaxial::PathRow& each : stage.findings.curve) {

@@ -37,7 +37,7 @@ const casefile::Stage* loaded_stage(const casefile::Variant& variant, const fs::
     const casefile::Stage* found = nullptr;
     for (const casefile::Stage& stage : variant.stages) {
         const casefile::StageTraits& traits = casefile::traits_of(stage);
-        const bool is_test = std::holds_alternative<triaxial::TriaxialSpec>(stage.spec);
+        const bool is_test = casefile::laboratory_test(stage.spec) != nullptr;
         if (traits.loses_grains || is_test) {
             break;
         }

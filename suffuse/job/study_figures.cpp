@@ -2,6 +2,7 @@
 
 #include "suffuse/figures/figures_energy.hpp"
 #include "suffuse/figures/figures_fines.hpp"
+#include "suffuse/figures/figures_laboratory.hpp"
 #include "suffuse/figures/figures_strength.hpp"
 #include "suffuse/figures/figures_sweep.hpp"
 #include "suffuse/figures/stress_probes.hpp"
@@ -57,6 +58,12 @@ bool holds_deviator(const casefile::Stage& stage) {
     return spec != nullptr && spec->path == triaxial::Path::ConstantDeviator;
 }
 
+/// Whether q over the axial strain is what a laboratory draws of the test.
+bool is_compression(const casefile::Stage& stage) {
+    return std::holds_alternative<triaxial::TriaxialSpec>(stage.spec) ||
+           std::holds_alternative<triaxial::PlaneStrainSpec>(stage.spec);
+}
+
 /// All tests of the run, in the order of stages and of sweep values.
 std::vector<Test> gather_tests(const study::RunResults& results) {
     std::vector<Test> tests;
@@ -69,7 +76,8 @@ std::vector<Test> gather_tests(const study::RunResults& results) {
                 dem::EnergyParts energy; // summed over the seeds [J/m3]
                 double borne = 0;        // pore pressure, summed over the seeds [Pa]
                 for (const record::FinishedStage& stage : results.stages) {
-                    if (!stage.findings.curve.empty() && study::is_behind(stage, study, study.stages[k], point)) {
+                    if (is_compression(*stage.stage) && !stage.findings.curve.empty() &&
+                        study::is_behind(stage, study, study.stages[k], point)) {
                         of_seed.push_back(rows_of(stage.findings.curve));
                         energy = energy + stage.findings.curve.back().energy;
                         borne += or_zero(stage.numbers.at("response").at("excess_pore_pressure"));
@@ -100,16 +108,23 @@ std::vector<Test> gather_tests(const study::RunResults& results) {
 }
 
 std::string kind_of_test(const casefile::Stage& stage) {
-    const auto* spec = std::get_if<triaxial::TriaxialSpec>(&stage.spec);
+    const triaxial::TriaxialSpec* const spec = casefile::laboratory_test(stage.spec);
+    const bool extends = spec != nullptr && spec->direction == triaxial::Direction::Extension;
     switch (spec == nullptr ? triaxial::Path::Drained : spec->path) {
     case triaxial::Path::Drained:
-        return "Drained compression";
+        return extends ? "Drained extension" : "Drained compression";
+    case triaxial::Path::PlaneStrain:
+        return extends ? "Extension in plane strain" : "Compression in plane strain";
     case triaxial::Path::ConstantMean:
         return "Compression at constant mean stress";
     case triaxial::Path::ConstantDeviator:
         return "Rise of the pore pressure at constant deviator stress";
     case triaxial::Path::Undrained:
-        return "Undrained compression";
+        return extends ? "Undrained extension" : "Undrained compression";
+    case triaxial::Path::Isotropic:
+    case triaxial::Path::ShearAtVolume:
+    case triaxial::Path::ShearAtStress:
+        break; // drawn elsewhere
     case triaxial::Path::Proportional:
         return fmt::format("Compression with dεᵥ/dε₁ = {:g}", *spec->strain_ratio);
     }
@@ -216,6 +231,30 @@ void draw_tests(
     draw_paths(tests, std::move(single), figures);
 }
 
+/// The other tests of a laboratory, each kind in its own figure.
+void draw_laboratory(const study::RunResults& results, std::vector<figures::Figure>& figures) {
+    std::vector<figures::LaboratoryTest> compressed, sheared, cycled;
+    for (const record::FinishedStage& stage : results.stages) {
+        const triaxial::TriaxialSpec* const spec = casefile::laboratory_test(stage.stage->spec);
+        if (spec == nullptr || stage.findings.curve.empty()) {
+            continue;
+        }
+        auto* const kind = !spec->stresses.empty()        ? &compressed
+                           : triaxial::shears(spec->path) ? &sheared
+                           : spec->cycles                 ? &cycled
+                                                          : nullptr;
+        if (kind != nullptr && kind->size() < most_tests) {
+            kind->push_back(
+                {results.what->studies.size() > 1 || !stage.study->sweep.empty() ? stage.name() : stage.stage->name,
+                 &stage}
+            );
+        }
+    }
+    add(figures::compression_curves(compressed), figures);
+    add(figures::shear_curves(sheared), figures);
+    add(figures::cyclic_curves(cycled), figures);
+}
+
 /// What is mixed at each fines content, and the first sample's own grading.
 std::vector<study::Mixture> describe_mixtures(
     const std::filesystem::path& folder, const study::FinesSweep& sweep,
@@ -272,6 +311,7 @@ std::vector<figures::Figure> draw_study(const study::RunResults& results, const 
     add(figures::strength_before_and_after(results.strength, results.stages), figures);
     draw_tests(what, tests, shown, figures);
     draw_energy(what, tests, figures);
+    draw_laboratory(results, figures);
     add(figures::stability_in_directions(results.probed_states), figures);
     return figures;
 }

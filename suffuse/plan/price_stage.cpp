@@ -145,6 +145,9 @@ public:
         take_critical_state(sample_); // within the first percents of strain
         const double dt = triaxial_time_step(spec);
         const double a_strain = 1 / (rate * dt); // steps
+        if (triaxial::count_legs(spec) > 1 || !spec.stresses.empty()) {
+            return price_legs(spec, a_strain);
+        }
         const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
         if (spec.stops_at_stress()) {
             const Range strain = strain_until(spec, is_loose);
@@ -261,6 +264,28 @@ public:
     }
 
 private:
+    /// Of a test that turns: its strains, and the bursts in which it eases to each turn and comes back to its pace.
+    [[nodiscard]] StagePrice price_legs(const triaxial::TriaxialSpec& spec, double a_strain) {
+        constexpr Range turning{1'500, 4'000}; // steps
+        const double modulus = as_pressed(sample_, variant_.material).modulus;
+        const int legs = triaxial::count_legs(spec);
+        double stress = 0, strain = 0; // that the legs go through, at least
+        if (spec.cycles) {
+            stress = 4.0 * legs * spec.cycles->csr.value_or(0) * sample_.pressure;
+            strain = 2.0 * legs * spec.cycles->strain.value_or(0);
+        }
+        for (const double to : spec.stresses) {
+            stress += std::abs(to - sample_.pressure);
+            sample_.pressure = to;
+        }
+        const Range strained{strain + stress / modulus / stiffest, strain + stress / modulus / softest};
+        return {
+            .steps = a_strain * strained + static_cast<double>(legs) * turning +
+                     (spec.cycles ? Range{} : waited(case_, balance_at_stress)),
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format("{} turns at most (inertial number {:.1e})", legs, spec.inertial_number)};
+    }
+
     [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
         const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
         return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);

@@ -79,11 +79,12 @@ SUFFUSE_MEMBERS( // whole or not at all: what went on with a default would be of
 namespace triaxial {
 SUFFUSE_MEMBERS_OR_DEFAULTS( // curves of earlier runs lack some
     PathRow, axial_strain, volumetric_strain, stress, mean_stress, deviator_stress, void_ratio, coordination,
-    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure, energy
+    mechanical_coordination, unbalanced_force, inertial_number, second_order_work, excess_pore_pressure, energy,
+    hold_error, shear_strain, leg
 )
 SUFFUSE_MEMBERS( // whole or not at all, as CompactState
-    PathState, phase, start_h, start_stress, strain_rate, pace, least_pace, median_diameter, lent, time_step,
-    known_contacts, balance, energy, steps, rows
+    PathState, phase, leg, sense, turn, start_h, start_stress, strain_rate, pace, least_pace, median_diameter, lent,
+    time_step, known_contacts, balance, energy, steps, rows
 )
 
 SUFFUSE_MEMBERS(StressProbe, angle, stress, strain, second_order_work, normalized, answer, steps)

@@ -24,15 +24,17 @@ std::string words_on_overlap(double ratio, const grains::Material& material, dou
 }
 
 std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::Path path) {
-    const auto error = triaxial::find_hold_error(rows, path);
-    if (!error || error->usual <= triaxial::good_hold_error || triaxial::summarize(rows, path).lost_at) {
+    const std::optional<double> error = triaxial::find_hold_error(rows, path);
+    if (!error || *error <= triaxial::good_hold_error || triaxial::summarize(rows, path).lost_at) {
         return "";
     }
     return fmt::format(
-        "the {} stress that the test holds was off by up to {:.2g} % in 19 of 20 rows, by {:.2g} % at most; a "
-        "quasi-static test keeps it within {:.0f} % in 19 of 20: take a smaller inertial_number, or more grains",
-        path == triaxial::Path::Drained ? "lateral" : "mean", 100 * error->usual, 100 * error->most,
-        100 * triaxial::good_hold_error
+        "the {} stress that the test holds is off by up to {:.2g} %; a quasi-static test keeps it within {:.0f} % in "
+        "every row: take a smaller inertial_number, or more grains",
+        path == triaxial::Path::ConstantMean    ? "mean"
+        : path == triaxial::Path::ShearAtStress ? "normal"
+                                                : "lateral",
+        100 * *error, 100 * triaxial::good_hold_error
     );
 }
 

@@ -4,6 +4,7 @@
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/record/result_json.hpp"
+#include "suffuse/run/laboratory_numbers.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/run/stage_work.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace suffuse::run {
@@ -74,9 +76,10 @@ void note_energy(StageWork& work, const triaxial::TriaxialSpec& spec, const tria
 void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const std::vector<triaxial::PathRow>& rows) {
     constexpr double much = 0.01;
     const triaxial::PathRow& stop = rows.back();
-    const double specified = triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(stop.deviator_stress);
+    const double specified =
+        triaxial::deviator_to_stop_at(spec, stop.mean_stress).value_or(std::abs(stop.deviator_stress));
     const double allowed = std::max(much * specified, work.what.balance.stress_error * rows.front().mean_stress);
-    if (stop.deviator_stress > specified + allowed) {
+    if (spec.sense() * stop.deviator_stress > specified + allowed) {
         const auto ratio_text = [&](const triaxial::PathRow& row) {
             return spec.stress_ratio ? row.deviator_stress / row.mean_stress : row.deviator_stress / 1e3;
         };
@@ -157,7 +160,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.numbers["steps"] = state.steps;
     work.numbers["strain_rate"] = state.strain_rate;
     work.numbers["inertia"] = triaxial::lent_during(spec, work.world.material).mass ? "lent" : "own";
-    const triaxial::Response response = triaxial::summarize(state.rows, spec.path);
+    const triaxial::Response response = triaxial::summarize(state.rows, spec);
     if (response.lost_at) {
         work.flaws.push_back(fmt::format(
             "{}: at {:.2g} % axial strain the stress that this path holds was lost, for the sample gave way faster "
@@ -166,9 +169,14 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
             work.place(), 100 * *response.lost_at
         ));
     }
-    work.numbers["response"] = response;
+    if (nlohmann::json numbers = laboratory_numbers(spec, state.rows); numbers.empty()) {
+        work.numbers["response"] = response;
+    } else {
+        work.numbers.update(numbers);
+        work.numbers["energy"] = response.energy;
+    }
     if (const std::string words = words_on_hold(state.rows, spec.path); !words.empty()) {
-        work.warnings.push_back(work.place() + ": " + words);
+        work.flaws.push_back(work.place() + ": " + words);
     }
     note_energy(work, spec, response);
     note_overshoot(work, spec, state.rows);

@@ -38,12 +38,13 @@ StressStrainRow row_at(const std::vector<StressStrainRow>& rows, double strain, 
 ResponseCurve average_response(
     const std::string& name, const std::vector<std::vector<StressStrainRow>>& of_sample, bool holds_deviator
 ) {
-    const auto strain_of = [&](const StressStrainRow& row) {
-        const double widening = holds_deviator ? row.axial_strain - row.volumetric_strain : row.axial_strain;
-        return std::max(row.axial_strain, widening);
-    };
     std::vector<std::vector<StressStrainRow>> tests = of_sample;
     std::erase_if(tests, [](const auto& rows) { return rows.empty(); });
+    const bool extends = !holds_deviator && !tests.empty() && tests[0].back().axial_strain < 0;
+    const auto strain_of = [&](const StressStrainRow& row) {
+        const double axial = extends ? -row.axial_strain : row.axial_strain;
+        return holds_deviator ? std::max(axial, axial - row.volumetric_strain) : axial;
+    };
     ResponseCurve mean{name, {}};
     mean.samples = static_cast<int>(tests.size());
     if (tests.empty()) {

@@ -14,7 +14,8 @@ using triaxial::TriaxialSpec;
 
 bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
     return a.path == b.path && a.axis == b.axis && a.strain == b.strain && a.strain_ratio == b.strain_ratio &&
-           a.inertial_number == b.inertial_number && a.inertia == b.inertia && a.time_step == b.time_step;
+           a.direction == b.direction && a.b == b.b && a.inertial_number == b.inertial_number &&
+           a.inertia == b.inertia && a.time_step == b.time_step;
 }
 
 /// Whether a test from the end of this stage is another than one from its start would be. It is the same after a mere
@@ -105,7 +106,8 @@ private:
 
 const TriaxialSpec* test_of_strength(const casefile::Stage& stage) {
     const auto* spec = std::get_if<TriaxialSpec>(&stage.spec);
-    const bool is_one = spec != nullptr && !spec->stops_at_stress() && spec->path != Path::Proportional;
+    const bool is_one = spec != nullptr && !spec->stops_at_stress() && spec->path != Path::Proportional &&
+                        spec->direction == triaxial::Direction::Compression;
     return is_one ? spec : nullptr;
 }
 

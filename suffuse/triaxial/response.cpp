@@ -1,5 +1,7 @@
 #include "suffuse/triaxial/response.hpp"
 
+#include "suffuse/triaxial/path_loading.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -29,7 +31,7 @@ PathRow mean_row(std::span<const PathRow> rows) {
 
 /// From the mean of some rows to that of as many after them, so that the noise of single rows is no instability.
 std::optional<Instability> find_instability(std::span<const PathRow> rows) {
-    const double strain = rows.back().axial_strain - rows.front().axial_strain;
+    const double strain = std::abs(rows.back().axial_strain - rows.front().axial_strain);
     const double wanted = std::ceil(smoothed_span / strain * static_cast<double>(rows.size() - 1));
     if (!(strain > 0) || 2 * wanted > static_cast<double>(rows.size())) {
         return {};
@@ -60,7 +62,23 @@ const PathRow& peak_of(const std::vector<PathRow>& rows, Path path) {
 }
 
 bool holds_a_stress(Path path) {
-    return path == Path::Drained || path == Path::ConstantMean;
+    return path == Path::Drained || path == Path::ConstantMean || path == Path::Isotropic ||
+           path == Path::PlaneStrain || path == Path::ShearAtStress;
+}
+
+/// sin = (s1 - s3)/(s1 + s3), of stresses along the axes [rad].
+double mobilized_angle(const Mat3& stress) {
+    const auto [least, most] = std::minmax({stress(0, 0), stress(1, 1), stress(2, 2)});
+    return std::asin((most - least) / (most + least));
+}
+
+/// Extension as compression: q and the axial strain with the other sign.
+std::vector<PathRow> mirrored(std::vector<PathRow> rows) {
+    for (PathRow& row : rows) {
+        row.axial_strain = -row.axial_strain;
+        row.deviator_stress = -row.deviator_stress;
+    }
+    return rows;
 }
 
 /// That is held: the lateral one, or the mean [Pa].
@@ -69,13 +87,16 @@ double held_stress(const PathRow& row, Path path) {
 }
 
 /// Axial strain of the first row at which the stress that the path holds is lost.
-std::optional<double> loss_of_hold(const std::vector<PathRow>& rows, Path path) {
+std::optional<double> loss_of_hold(const std::vector<PathRow>& rows, const TriaxialSpec& spec) {
+    const Path path = spec.path;
     if (!holds_a_stress(path)) {
         return {};
     }
+    const bool is_one_stress = !spec.b && (path == Path::Drained || path == Path::ConstantMean);
     const double least = (1 - lost_hold_share) * held_stress(rows.front(), path);
-    const auto lost =
-        std::find_if(rows.begin(), rows.end(), [&](const PathRow& row) { return held_stress(row, path) < least; });
+    const auto lost = std::find_if(rows.begin(), rows.end(), [&](const PathRow& row) {
+        return is_one_stress ? held_stress(row, path) < least : row.hold_error > lost_hold_share;
+    });
     return lost == rows.end() ? std::nullopt : std::optional(lost->axial_strain);
 }
 
@@ -115,25 +136,31 @@ double largest_dilatancy(const std::vector<PathRow>& rows) {
 
 } // namespace
 
-std::optional<HoldError> find_hold_error(const std::vector<PathRow>& rows, Path path) {
+std::optional<double> find_hold_error(const std::vector<PathRow>& rows, Path path) {
     if (!holds_a_stress(path) || rows.empty()) {
         return {};
     }
-    const double held = held_stress(rows.front(), path);
-    std::vector<double> errors;
-    errors.reserve(rows.size());
-    for (const PathRow& row : rows) {
-        errors.push_back(std::abs(held_stress(row, path) / held - 1));
-    }
-    std::ranges::sort(errors);
-    constexpr double most_rows = 0.95;
-    const auto usual = static_cast<std::size_t>(std::ceil(most_rows * static_cast<double>(errors.size()))) - 1;
-    return HoldError{errors.back(), errors[usual]};
+    return std::ranges::max(rows, {}, &PathRow::hold_error).hold_error;
 }
 
-Response summarize(const std::vector<PathRow>& rows, Path path) {
+Response summarize(const std::vector<PathRow>& rows, const TriaxialSpec& spec) {
+    const Path path = spec.path;
     Response response;
     if (rows.empty()) {
+        return response;
+    }
+    if (spec.direction == Direction::Extension) {
+        TriaxialSpec compression = spec;
+        compression.direction = Direction::Compression;
+        response = summarize(mirrored(rows), compression);
+        for (double* const number :
+             {&response.peak_deviator, &response.final_deviator, &response.peak_strain, &response.peak_ratio}) {
+            *number = -*number;
+        }
+        const auto peak = std::ranges::min_element(rows, {}, &PathRow::deviator_stress);
+        response.friction_angle = mobilized_angle(peak->stress);
+        response.lost_at = loss_of_hold(rows, spec);
+        response.instability = is_axisymmetric(spec) ? find_instability(rows) : std::nullopt;
         return response;
     }
     const PathRow& peak = peak_of(rows, path);
@@ -142,7 +169,9 @@ Response summarize(const std::vector<PathRow>& rows, Path path) {
         response.peak_strain = peak.axial_strain;
         response.peak_ratio = peak.deviator_stress / peak.mean_stress;
         const double lateral = peak.mean_stress - peak.deviator_stress / 3;
-        response.friction_angle = std::asin(peak.deviator_stress / (peak.deviator_stress + 2 * lateral));
+        response.friction_angle = is_axisymmetric(spec)
+                                      ? std::asin(peak.deviator_stress / (peak.deviator_stress + 2 * lateral))
+                                      : mobilized_angle(peak.stress);
     }
     for (const PathRow& row : rows) {
         response.largest_contraction = std::max(response.largest_contraction, row.volumetric_strain);
@@ -152,8 +181,10 @@ Response summarize(const std::vector<PathRow>& rows, Path path) {
     response.final_deviator = rows.back().deviator_stress;
     response.final_volumetric_strain = rows.back().volumetric_strain;
     response.energy = rows.back().energy;
-    response.lost_at = loss_of_hold(rows, path);
-    response.instability = find_instability(rows);
+    response.lost_at = loss_of_hold(rows, spec);
+    if (is_axisymmetric(spec) && count_legs(spec) == 1) {
+        response.instability = find_instability(rows);
+    }
     if (path == Path::Undrained || path == Path::ConstantDeviator) {
         response.liquefied = std::any_of(rows.begin(), rows.end(), [&](const PathRow& row) {
             return row.mean_stress < liquefied_share * rows.front().mean_stress;

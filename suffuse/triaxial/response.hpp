@@ -38,17 +38,17 @@ struct Response {
     dem::EnergyParts energy; ///< at the last row, over the volume at the start [J/m3]
 };
 
-/// How far the stress that a test holds was from its value at the start, over it [-].
-struct HoldError {
-    double most = 0;
-    double usual = 0; ///< in 19 of 20 rows at most
-};
+inline constexpr double good_hold_error = 0.02; ///< in every row [-]
 
-inline constexpr double good_hold_error = 0.02; ///< in 19 of 20 rows [-]
+/// How far the stress that a test holds and that is furthest off was off in the worst row, over it [-]; nothing of
+/// paths that hold none, nor of the constant deviator.
+std::optional<double> find_hold_error(const std::vector<PathRow>& rows, Path path);
 
-/// Of the lateral stress of a drained test, of the mean stress of one that holds it; nothing of other paths.
-std::optional<HoldError> find_hold_error(const std::vector<PathRow>& rows, Path path);
+/// Of extension, the deviator stress and the axial strain are below zero; its peak is where q is lowest.
+Response summarize(const std::vector<PathRow>& rows, const TriaxialSpec& spec);
 
-Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained);
+inline Response summarize(const std::vector<PathRow>& rows, Path path = Path::Drained) {
+    return summarize(rows, TriaxialSpec{.path = path});
+}
 
 } // namespace suffuse::triaxial

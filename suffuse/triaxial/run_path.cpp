@@ -10,6 +10,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/stats/coordination.hpp"
+#include "suffuse/triaxial/path_loading.hpp"
 
 #include <fmt/format.h>
 
@@ -22,72 +23,21 @@ namespace suffuse::triaxial {
 namespace {
 
 constexpr double creep_room = 1.1;   // axial strain until at rest, at most, over the largest during the test [-]
-constexpr double fastest_held = 2;   // rate of an axis whose stress is held, at most, over the axial rate [-]
 constexpr double least_ratio = 0.05; // q/p that a constant deviator needs, for servos to hold it [-]
-constexpr double held_within = 0.02; // of its value, a constant deviator [-]
+constexpr double held_within = 0.01; // of its value, a stress: else the cell waits for the servo [-]
+constexpr double flow_within = 0.02; // likewise, a constant deviator [-]
+constexpr double most_delay = 20;    // intervals of rows, until a row shows a stress that is not held
 constexpr double first_pace = 0.01, quicker = 1.2, slower = 0.5;
 constexpr double closed_a_burst = 0.5;  // of what is missing of the stress to stop at, at most [-]
-constexpr double stops_within = 2.5e-3; // of the deviator stress to stop at, below it [-]
+constexpr double stops_within = 2.5e-3; // of what a leg goes to, before it [-]
 constexpr double less_patient = 1.1;    // of the least pace, from one slowed burst to the next [-]
+constexpr double rows_a_leg = 40;       // of a test that turns
+constexpr double stiffest = 3;          // axial modulus of isotropic compression over the longitudinal one, at most [-]
 
-double lateral_mean(const Mat3& stress, int axis) {
-    return 0.5 * (trace(stress) - stress(axis, axis));
-}
-
-double deviator(const Mat3& stress, int axis) {
-    return stress(axis, axis) - lateral_mean(stress, axis);
-}
-
-/// Volumetric over axial strain, where the path imposes it.
-std::optional<double> imposed_strain_ratio(const TriaxialSpec& spec) {
-    return spec.path == Path::Undrained ? std::optional(0.0) : spec.strain_ratio;
-}
-
-/// All stresses held, the lateral ones alike.
-cell::Loading held_stresses(const TriaxialSpec& spec, double p, double q) {
-    cell::Loading loading;
-    loading.axis.fill({cell::Control::Stress, p - q / 3});
-    loading.axis[static_cast<std::size_t>(spec.axis)].value = p + 2 * q / 3;
-    return loading;
-}
-
-/// What drives the test, besides what is held.
-cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
-    using cell::Control;
-    const Mat3 &start = state.start_stress, &now = state.balance.stress;
-    const double rate = state.pace * state.strain_rate;
-    cell::AxisControl axial{Control::StrainRate, rate}, lateral;
-    if (const std::optional<double> ratio = imposed_strain_ratio(spec)) {
-        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * rate};
-    } else if (spec.path == Path::ConstantMean) {
-        lateral = {Control::MeanStress, dem::mean_stress(start)};
-    } else if (spec.path == Path::ConstantDeviator) {
-        // A sample that fails flows at constant volume, with the axial rate of the other paths.
-        lateral = {Control::StrainRate, -0.5 * rate};
-        axial = {Control::Stress, lateral_mean(now, spec.axis) + deviator(start, spec.axis)};
-    }
-    cell::Loading loading;
-    // A sample widens at half of its axial rate and its dilatancy together: the servo must be able to follow, but no
-    // axis may be faster than quasi-static.
-    loading.servo.max_rate = fastest_held * state.strain_rate;
-    for (int a = 0; a < 3; ++a) {
-        if (spec.path == Path::Drained) { // what each held at the start, which need not be the same
-            lateral = {Control::Stress, start(a, a)};
-        }
-        loading.axis[static_cast<std::size_t>(a)] = a == spec.axis ? axial : lateral;
-    }
-    return loading;
-}
-
-/// Full, or on the way to it. At a constant deviator, before a sample fails its stresses fall so quickly that the axial
-/// servo would lag behind: the cell waits for it.
+/// Full, or on the way to it. Where stresses change so quickly that the servo would lag behind, the cell waits for it:
+/// at the start, while grains rearrange, and at a constant deviator before a sample fails.
 void keep_pace(const TriaxialSpec& spec, PathState& state) {
-    if (spec.path != Path::ConstantDeviator) {
-        state.pace = std::min(1.0, quicker * state.pace);
-        return;
-    }
-    const double q = deviator(state.start_stress, spec.axis);
-    const double lag = std::abs(deviator(state.balance.stress, spec.axis) - q) / (held_within * q);
+    const double lag = hold_error(spec, state) / (spec.path == Path::ConstantDeviator ? flow_within : held_within);
     if (lag > 1) {
         state.pace = std::max(first_pace, slower * state.pace);
     } else if (lag < 0.5) {
@@ -95,67 +45,88 @@ void keep_pace(const TriaxialSpec& spec, PathState& state) {
     }
 }
 
-/// The stresses to come to rest at: the specified one, and those held during the test.
-cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
-    if (imposed_strain_ratio(spec)) {
-        return dem::constant_volume();
-    }
-    const double start_mean = dem::mean_stress(state.start_stress), start_q = deviator(state.start_stress, spec.axis);
-    if (spec.path == Path::ConstantDeviator) {
-        return held_stresses(spec, start_q / *spec.stress_ratio, start_q);
-    }
-    if (spec.path == Path::ConstantMean) {
-        return held_stresses(spec, start_mean, *deviator_to_stop_at(spec, start_mean));
-    }
-    const double lateral = lateral_mean(state.start_stress, spec.axis);
-    const double q = spec.deviator_stress ? *spec.deviator_stress // or q = eta p, with p = lateral + q/3
-                                          : *spec.stress_ratio * lateral / (1 - *spec.stress_ratio / 3);
-    cell::Loading loading = loading_of(spec, state);
-    loading.axis[static_cast<std::size_t>(spec.axis)] = {cell::Control::Stress, lateral + q};
-    return loading;
+bool is_reached(const Target& target) {
+    return target.missing <= stops_within * target.size;
 }
 
-/// q that is missing of the one to stop at [Pa]; below zero beyond it, nothing where the test goes to a strain.
-std::optional<double> missing_deviator(const TriaxialSpec& spec, const Mat3& stress) {
-    const std::optional<double> wanted = deviator_to_stop_at(spec, dem::mean_stress(stress));
-    return wanted ? std::optional(*wanted - deviator(stress, spec.axis)) : std::nullopt;
+double axial_strain_of(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
+    return cell::axial_strains(state.start_h, world.cell.h)[spec.axis];
 }
 
-bool target_reached(const TriaxialSpec& spec, const PathRow& row) {
-    const std::optional<double> wanted = deviator_to_stop_at(spec, row.mean_stress);
-    return wanted && row.deviator_stress >= (1 - stops_within) * *wanted;
+/// What is missing of the target of the leg, for now.
+std::optional<Target> target_now(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
+    return target_of(spec, state, state.balance.stress, axial_strain_of(world, spec, state));
 }
 
-/// The less is missing of the stress to stop at, the more slowly the sample is loaded, so that it comes there from
-/// below, and quasi-static: a burst closes half of the distance at most. Not for ever: what a sample that fails near
-/// the specified stress closes is noise. @param closed by a burst of this pace [Pa]; a sample is no stiffer than its
-/// network
-void ease_to_target(const dem::World& world, const TriaxialSpec& spec, double pace, double closed, PathState& state) {
-    const Vec3 modulus =
-        contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h).longitudinal;
-    const double full_burst = state.strain_rate * static_cast<double>(dem::burst_steps) * state.time_step;
-    const double closing = std::min(closed / pace, modulus[spec.axis] * full_burst);
-    const double to_close = closed_a_burst * *missing_deviator(spec, state.balance.stress);
+/// The less is missing of the target, the more slowly the sample is loaded, so that it comes there from below, and
+/// quasi-static: a burst closes half of the distance at most. Not for ever: what a sample that fails near the specified
+/// stress closes is noise. @param closed by a burst of this pace; a sample is no stiffer than its network
+void ease_to_target(
+    const dem::World& world, const TriaxialSpec& spec, double pace, double closed, const Target& target,
+    PathState& state
+) {
+    double closing = state.strain_rate * static_cast<double>(dem::burst_steps) * state.time_step;
+    if (target.is_stress) {
+        const Vec3 modulus =
+            contact::affine_moduli(world.grains, world.contacts, world.material, world.cell.h).longitudinal;
+        const double sides = spec.path == Path::Isotropic ? stiffest : 1;
+        closing = std::min(closed / pace, sides * modulus[spec.axis] * closing);
+    }
+    const double to_close = closed_a_burst * target.missing;
     if (to_close < state.pace * closing) {
         state.pace = std::max(to_close / closing, state.least_pace);
         state.least_pace = std::min(1.0, less_patient * state.least_pace);
     }
 }
 
-/// How far the test has come [-]. At a constant deviator a sample widens and lengthens until it fails.
-double progress(const TriaxialSpec& spec, const PathRow& row) {
-    const double widening = spec.path == Path::ConstantDeviator ? row.axial_strain - row.volumetric_strain : 0;
-    return std::max(row.axial_strain, widening);
+/// Whether the test goes from one stress, or one turn of its load, to the next.
+bool has_legs(const TriaxialSpec& spec) {
+    return spec.cycles || !spec.stresses.empty();
 }
 
-bool holds_total_stress(Path path) {
-    return path == Path::Undrained || path == Path::ConstantDeviator;
+/// How far the test has come [-]. At a constant deviator a sample widens and lengthens until it fails.
+double progress(const TriaxialSpec& spec, const PathRow& row) {
+    if (shears(spec.path)) {
+        return row.shear_strain;
+    }
+    if (has_legs(spec)) {
+        return std::abs(row.axial_strain);
+    }
+    const double widening = spec.path == Path::ConstantDeviator ? row.axial_strain - row.volumetric_strain : 0;
+    return std::max(spec.sense() * row.axial_strain, widening);
+}
+
+/// Intervals of rows since the one before: of equal strain, and where a test turns also of what it turns at.
+double rows_due(const TriaxialSpec& spec, const PathState& state, const PathRow& row) {
+    const PathRow& last = state.rows.back();
+    if (!has_legs(spec)) {
+        return (progress(spec, row) - progress(spec, last)) * spec.rows / spec.strain;
+    }
+    const auto missing = [&](const PathRow& of) { return target_of(spec, state, of.stress, of.axial_strain)->missing; };
+    const double strained = std::abs(row.axial_strain - last.axial_strain) * spec.rows / spec.strain;
+    const double leg = missing(state.turn);
+    return std::max(strained, leg > 0 ? rows_a_leg * std::abs(missing(last) - missing(row)) / leg : 0);
+}
+
+/// A row is a state under the stresses that the test holds: one that is due waits for them, but not for ever.
+bool is_fit_for_row(const TriaxialSpec& spec, const PathRow& row, double due) {
+    return row.hold_error <= held_within || spec.path == Path::ConstantDeviator || due >= most_delay;
+}
+
+/// Laterally: water takes what grains no longer carry; in simple shear, along the normal of what slides.
+double excess_pore_pressure(const TriaxialSpec& spec, const Mat3& start, const Mat3& now) {
+    if (spec.path == Path::ShearAtVolume) {
+        return start(spec.shear_axes.normal, spec.shear_axes.normal) -
+               now(spec.shear_axes.normal, spec.shear_axes.normal);
+    }
+    const bool holds_total_stress = spec.path == Path::Undrained || spec.path == Path::ConstantDeviator;
+    return holds_total_stress ? lateral_mean(start, spec.axis) - lateral_mean(now, spec.axis) : 0;
 }
 
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
     const Mat3& stress = state.balance.stress;
     PathRow row;
-    row.axial_strain = cell::axial_strains(state.start_h, world.cell.h)[spec.axis];
+    row.axial_strain = axial_strain_of(world, spec, state);
     row.volumetric_strain = cell::volumetric_strain(state.start_h, world.cell.h);
     row.stress = stress;
     row.mean_stress = dem::mean_stress(stress);
@@ -165,22 +136,24 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     row.coordination = coordination.mean;
     row.mechanical_coordination = coordination.mechanical;
     row.unbalanced_force = state.balance.equilibrium.unbalanced_force;
-    const double rate = std::abs(world.cell.velocity_gradient(spec.axis, spec.axis));
+    row.hold_error = hold_error(spec, state);
+    const auto [normal, along] = shears(spec.path) ? spec.shear_axes : ShearAxes{spec.axis, spec.axis};
+    const double rate = std::abs(world.cell.velocity_gradient(along, normal));
     row.inertial_number = dem::inertial_number(rate, state.median_diameter, world.material.density, row.mean_stress);
-    if (!state.rows.empty()) {
+    if (!state.rows.empty() && is_axisymmetric(spec)) {
         row.second_order_work = second_order_work(state.rows.back(), row);
     }
     row.energy = (1 / determinant(state.start_h)) * state.energy.parts;
-    if (holds_total_stress(spec.path)) { // laterally: water takes what grains no longer carry
-        row.excess_pore_pressure = lateral_mean(state.start_stress, spec.axis) - lateral_mean(stress, spec.axis);
-    }
+    row.excess_pore_pressure = excess_pore_pressure(spec, state.start_stress, stress);
+    row.shear_strain = shears(spec.path) ? (world.cell.h * inverse(state.start_h))(along, normal) : 0;
+    row.leg = state.leg;
     return row;
 }
 
 [[noreturn]] void report_out_of_reach(const PathRow& row) {
     throw StateError(fmt::format(
-        "the triaxial test cannot reach the specified stress: at {:.3g} % axial strain the deviator stress is {:.4g} "
-        "kPa (q/p = {:.3f}); specify less than the peak of this sample",
+        "the test cannot reach the specified stress: at {:.3g} % axial strain the deviator stress is {:.4g} kPa (q/p = "
+        "{:.3f}); specify less than the peak of this sample, or more strain",
         100 * row.axial_strain, row.deviator_stress / 1e3, row.deviator_stress / row.mean_stress
     ));
 }
@@ -211,6 +184,15 @@ void check_spec(const TriaxialSpec& spec) {
     if (spec.deviator_stress && spec.stress_ratio) {
         throw CaseError("triaxial: found a deviator_stress and a stress_ratio to stop at; keep one of them");
     }
+    if (spec.b && (spec.path != Path::Drained || spec.stops_at_stress())) {
+        throw CaseError("triaxial: b belongs to a drained test to a strain");
+    }
+    if (spec.direction == Direction::Extension && spec.path == Path::ConstantDeviator) {
+        throw CaseError("triaxial: a path that holds the deviator stress has no direction; leave it out");
+    }
+    if (spec.cycles && spec.cycles->csr.has_value() == spec.cycles->strain.has_value()) {
+        throw CaseError("cyclic: expected one amplitude; give either csr or strain_amplitude");
+    }
     if (spec.path == Path::ConstantDeviator && spec.deviator_stress) {
         throw CaseError("triaxial: the path \"constant-deviator\" holds q; give stress_ratio instead of deviator_stress"
         );
@@ -221,11 +203,18 @@ double choose_time_step(const dem::World& world, const TriaxialSpec& spec, doubl
     return spec.time_step > 0 ? spec.time_step : dem::stable_time_step(world, {damping});
 }
 
-/// Later stages hold the lateral stresses of a drained test, else the stresses that the test has led to.
+/// Later stages hold the stresses that the test has held each for itself, else those that it has led to.
 void end_path(dem::World& world, const TriaxialSpec& spec, PathState& state) {
-    const bool holds_lateral = spec.path == Path::Drained;
-    cell::hold_stress(holds_lateral ? loading_of(spec, state) : dem::constant_volume(), world.servo);
+    const bool holds = spec.path == Path::Drained || spec.path == Path::PlaneStrain || spec.path == Path::ShearAtStress;
+    cell::hold_stress(holds ? loading_of(spec, state) : dem::constant_volume(), world.servo);
     state.phase = PathState::Phase::Done;
+}
+
+void turn(const TriaxialSpec& spec, const PathRow& row, PathState& state) {
+    ++state.leg;
+    state.sense = sense_of_leg(spec, state.leg, row.stress);
+    state.least_pace = PathState{}.least_pace;
+    state.turn = row;
 }
 
 } // namespace
@@ -242,6 +231,17 @@ dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material
 double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material, double median, double pressure) {
     const double slower = lent_during(spec, material).rotation ? dem::slower_turning : 1;
     return dem::rate_of_inertial_number(spec.inertial_number / slower, median, material.density, pressure);
+}
+
+double shear_stress(const TriaxialSpec& spec, const Mat3& stress) {
+    const auto [normal, along] = spec.shear_axes;
+    return -0.5 * (stress(along, normal) + stress(normal, along)); // compression is positive in the tensor
+}
+
+bool has_liquefied(const TriaxialSpec& spec, const PathState& state, const PathRow& row) {
+    const double lateral = lateral_mean(state.start_stress, spec.axis);
+    return row.excess_pore_pressure >= spec.cycles->pore_pressure_ratio * lateral ||
+           std::abs(row.axial_strain - state.turn.axial_strain) >= spec.cycles->double_amplitude;
 }
 
 PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress) {
@@ -261,12 +261,14 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.balance.stress = stress;
     state.median_diameter = grains::median_diameter(world.grains);
     state.strain_rate = strain_rate_of(spec, world.material, state.median_diameter, pressure);
-    state.pace = spec.path == Path::ConstantDeviator ? first_pace : 1;
+    state.sense = sense_of_leg(spec, 0, stress);
+    state.pace = cell::holds_stress(loading_of(spec, state)) ? first_pace : 1;
     state.lent = lent_during(spec, world.material);
     dem::lend_inertia(world, state.median_diameter, {}, state.lent);
     state.balance.equilibrium = dem::measure_equilibrium(world);
     state.energy = dem::begin_balance(world, state.balance);
     state.rows.push_back(measure_row(world, spec, state));
+    state.turn = state.rows.back();
     return state;
 }
 
@@ -277,9 +279,9 @@ bool path_burst(
     dem::renew_time_step(state, state.steps, state.balance.equilibrium.contacts, [&] {
         return choose_time_step(world, spec, damping);
     });
-    const std::optional<double> missing = missing_deviator(spec, state.balance.stress);
-    if (missing && state.steps == 0) {
-        ease_to_target(world, spec, 1, std::numeric_limits<double>::infinity(), state);
+    const std::optional<Target> target = target_now(world, spec, state);
+    if (target && state.steps == 0) {
+        ease_to_target(world, spec, 1, std::numeric_limits<double>::infinity(), *target, state);
     }
     const bool settling = state.phase == PathState::Phase::Settle;
     dem::StepPlan plan;
@@ -299,32 +301,41 @@ bool path_burst(
     }
     const double pace = state.pace;
     keep_pace(spec, state);
-    if (missing) {
-        ease_to_target(world, spec, pace, *missing - *missing_deviator(spec, state.balance.stress), state);
+    bool reached = false;
+    if (target) {
+        const Target now = *target_now(world, spec, state);
+        ease_to_target(world, spec, pace, target->missing - now.missing, now, state);
+        reached = is_reached(now);
     }
     dem::follow(state.energy, world, state.balance, state.time_step, damping);
     const PathRow row = measure_row(world, spec, state);
-    const bool reached = target_reached(spec, row);
-    const double now = progress(spec, row);
-    const bool over = reached || now >= spec.strain;
-    if (over || now - progress(spec, state.rows.back()) >= spec.strain / spec.rows) {
+    const double due = rows_due(spec, state, row);
+    const bool is_fit = is_fit_for_row(spec, row, due);
+    const bool is_last = state.leg + 1 == count_legs(spec);
+    const bool fails = spec.cycles ? has_liquefied(spec, state, row) : progress(spec, row) >= spec.strain && is_fit;
+    const bool over = fails || (reached && is_last);
+    if (over || reached || (due >= 1 && is_fit)) {
         state.rows.push_back(row);
     }
     if (!over) {
+        if (reached) {
+            turn(spec, row, state);
+        }
         return false;
     }
-    if (missing && !reached) {
+    const bool is_cut_short = target && !(reached && is_last);
+    if (is_cut_short && (!spec.cycles || (state.leg == 0 && spec.path == Path::Drained))) {
         report_out_of_reach(row);
     }
     state.balance.steps = state.balance.balanced_steps = 0;
     give_back(world, state); // a balance is proved with the grains' own inertia
-    if (reached) {
+    if (spec.stops_at_stress()) {
         dem::take_time_step(state, choose_time_step(world, spec, damping), state.balance.equilibrium.contacts);
         state.phase = PathState::Phase::Settle;
     } else {
         end_path(world, spec, state);
     }
-    return !reached;
+    return state.phase == PathState::Phase::Done;
 }
 
 void give_back(dem::World& world, PathState& state) {

@@ -1,5 +1,5 @@
 #pragma once
-// Triaxial compression from the state given, along one of the paths of `Path`. World in, rows out.
+// A laboratory test from the state given, along one of the paths of `Path`. World in, rows out.
 
 #include "suffuse/dem/energy.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
@@ -23,9 +23,12 @@ struct PathRow {
     double mechanical_coordination = 0; ///< the same without rattlers [-]
     double unbalanced_force = 0;        ///< [-]
     double inertial_number = 0;         ///< [-]
+    double hold_error = 0;              ///< of the stress held that is furthest off, over it [-]
     double second_order_work = 0;       ///< since the row before [J/m3]
     /// Undrained, constant deviator: of the water, where the total lateral stress is held [Pa]
     double excess_pore_pressure = 0;
+    double shear_strain = 0; ///< of simple shear: displacement of the top over the height of the start [-]
+    int leg = 0;             ///< from one turn of the load to the next: which one it ends or belongs to
     dem::EnergyParts energy; ///< since the start of the test, over the volume then [J/m3]
 };
 
@@ -34,10 +37,13 @@ struct PathState {
     enum class Phase : std::int32_t { Shear, Settle, Done };
 
     Phase phase = Phase::Shear;
+    int leg = 0;                ///< see PathRow
+    double sense = 1;           ///< of this leg: 1 where the axial strain grows, -1 where it falls
+    PathRow turn;               ///< where the leg began
     Mat3 start_h;               ///< cell at the start of the test [m]
     Mat3 start_stress;          ///< [Pa]
     double strain_rate = 0;     ///< axial, compression positive; constant deviator: twice the lateral extension's [1/s]
-    double pace = 1;            ///< share of that rate: constant deviator, and near a stress to stop at [-]
+    double pace = 1;            ///< share of that rate: where stresses are held, and near a stress to stop at [-]
     double least_pace = 1e-3;   ///< near a stress to stop at; grows, for not every sample comes there [-]
     double median_diameter = 0; ///< by mass, of the inertial number [m]
     dem::Lent lent;             ///< inertia that grains have beyond their own
@@ -49,8 +55,11 @@ struct PathState {
     std::vector<PathRow> rows;
 };
 
-/// q at which a test stops, of a sample that bears this mean stress [Pa]; nothing where it goes to a strain.
+/// Size of q at which a test stops, of a sample that bears this mean stress [Pa]; nothing where it goes to a strain.
 std::optional<double> deviator_to_stop_at(const TriaxialSpec& spec, double mean_stress);
+
+/// Legs between the turns of the test: of stresses to come to, or halves of cycles.
+int count_legs(const TriaxialSpec& spec);
 
 /// What a test lends: nothing with a given time step, nor at a constant deviator, where a sample that fails under the
 /// loads that it bears flows as its own inertia lets it; frictionless grains do not turn.
@@ -59,6 +68,12 @@ dem::Lent lent_during(const TriaxialSpec& spec, const grains::Material& material
 /// Axial rate at which the test is quasi-static [1/s]: its inertial number allows for the turning that it slows down.
 /// @param median by mass [m]; @param pressure at the start [Pa]
 double strain_rate_of(const TriaxialSpec& spec, const grains::Material& material, double median, double pressure);
+
+/// Of the plane that a path shears, positive along the shear [Pa].
+double shear_stress(const TriaxialSpec& spec, const Mat3& stress);
+
+/// Whether a test whose loads go to and fro has brought the sample to what counts as liquefied, or as failed.
+bool has_liquefied(const TriaxialSpec& spec, const PathState& state, const PathRow& row);
 
 /// Lends the grains what inertia the test may lend; its last burst of shear takes it back.
 /// @param stress of the state that the test starts from [Pa]

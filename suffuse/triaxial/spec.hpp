@@ -1,9 +1,12 @@
 #pragma once
-// `do = "triaxial"`: compression along one axis from the state that the stage starts from. `do = "stress-probe"`: its
-// answers to small loads of all directions.
+// The tests of a laboratory, from the state that the stage starts from: `do = "triaxial"`, "oedometer", "isotropic",
+// "plane-strain", "shear" and "cyclic". They are one test in one apparatus, a cell whose sides each move at a rate or
+// bear a stress; a verb sets what is driven, what is held and where the test turns. `do = "stress-probe"`: answers of a
+// state to small loads of all directions.
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace suffuse::triaxial {
 
@@ -13,6 +16,33 @@ enum class Path {
     ConstantDeviator, ///< deviator stress of the start held while the cell widens: pore pressure rises
     Undrained,        ///< volume held
     Proportional,     ///< ratio of volumetric to axial strain held
+    // Of other verbs than `triaxial`:
+    Isotropic,     ///< all stresses alike
+    PlaneStrain,   ///< no strain along one lateral axis, the stress along the other held
+    ShearAtVolume, ///< simple shear of a cell whose sides keep their lengths
+    ShearAtStress, ///< the same, but for the side along which the stress is held
+};
+
+constexpr bool shears(Path path) {
+    return path == Path::ShearAtVolume || path == Path::ShearAtStress;
+}
+
+enum class Direction { Compression, Extension };
+
+/// Simple shear: layers across `normal` slide along `along`; 0, 1, 2.
+struct ShearAxes {
+    int normal = 2, along = 0;
+
+    friend bool operator==(const ShearAxes&, const ShearAxes&) = default;
+};
+
+/// Loads to and fro.
+struct Cycles {
+    std::optional<double> csr;         ///< amplitude of the deviator stress over twice the mean stress of the start [-]
+    std::optional<double> strain;      ///< or that of the axial strain [-]
+    int number = 20;                   ///< the test ends after so many, or before:
+    double pore_pressure_ratio = 0.95; ///< of the lateral stress of the start, that water has taken over [-]
+    double double_amplitude = 0.05;    ///< axial strain from one turn to the next [-]
 };
 
 enum class GrainInertia {
@@ -31,9 +61,38 @@ struct TriaxialSpec {
     double inertial_number = 1e-3;         ///< sets the axial strain rate [-]
     double time_step = 0;                  ///< [s]; 0 = computed
     int rows = 400;                        ///< stress-strain rows recorded over the specified strain
+    Direction direction = Direction::Compression;
+    std::optional<double> b;      ///< drained: (s2 - s3)/(s1 - s3) of the lateral axis after `axis` [-]
+    std::vector<double> stresses; ///< along the axis, to come to one after the other; the strain is then a limit [Pa]
+    ShearAxes shear_axes;         ///< of a path that shears
+    std::optional<Cycles> cycles;
 
     /// There it settles; else it ends at a strain.
-    [[nodiscard]] bool stops_at_stress() const { return deviator_stress || stress_ratio; }
+    [[nodiscard]] bool stops_at_stress() const { return deviator_stress || stress_ratio || !stresses.empty(); }
+
+    /// Axial, or that of the shear: 1 where it grows first, -1 where it falls.
+    [[nodiscard]] double sense() const { return direction == Direction::Extension ? -1 : 1; }
+};
+
+/// No strain but along the axis.
+struct OedometerSpec : TriaxialSpec {
+    OedometerSpec() { path = Path::Proportional, strain_ratio = 1; }
+};
+
+struct IsotropicSpec : TriaxialSpec {
+    IsotropicSpec() { path = Path::Isotropic; }
+};
+
+struct PlaneStrainSpec : TriaxialSpec {
+    PlaneStrainSpec() { path = Path::PlaneStrain; }
+};
+
+struct ShearSpec : TriaxialSpec {
+    ShearSpec() { path = Path::ShearAtVolume; }
+};
+
+struct CyclicSpec : TriaxialSpec {
+    CyclicSpec() { path = Path::Undrained, cycles.emplace(); }
 };
 
 /// Loads of one size, in directions spaced equally over the plane of axisymmetric stress.
