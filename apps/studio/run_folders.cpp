@@ -12,6 +12,8 @@
 #include <cctype>
 #include <csignal>
 #include <fstream>
+#include <functional>
+#include <utility>
 
 namespace suffuse::studio {
 namespace {
@@ -51,6 +53,23 @@ fs::path find_run(const fs::path& root, const std::string& name) {
         throw Refusal(404, "there is no such run in the studio's folder");
     }
     return found;
+}
+
+std::vector<std::string> run_names(const fs::path& root) {
+    std::vector<std::pair<fs::file_time_type, std::string>> found;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+        if (!entry.is_symlink() && fs::is_regular_file(entry.path() / record::resolved_case_file, error)) {
+            found.emplace_back(entry.last_write_time(error), entry.path().filename().string());
+        }
+    }
+    std::ranges::sort(found, std::greater());
+    std::vector<std::string> names;
+    names.reserve(found.size());
+    for (auto& [time, name] : found) {
+        names.push_back(std::move(name));
+    }
+    return names;
 }
 
 std::vector<fs::path> runs_at_work(const fs::path& root) {

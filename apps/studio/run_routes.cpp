@@ -97,6 +97,9 @@ void show_file(const httplib::Request& request, httplib::Response& response, con
 } // namespace
 
 void add_run_routes(httplib::Server& server, Studio& studio) {
+    server.Get("/api/names", [&](const auto&, auto& response) {
+        answer(response, 200, {{"result", run_names(studio.folder)}});
+    });
     server.Get("/api/runs", [&](const auto&, auto& response) {
         answer_call(response, call_program({"runs", studio.folder.string()}, studio.folder));
     });

@@ -71,9 +71,8 @@ Server::Server(const fs::path& folder, const fs::path& page, std::vector<std::st
         return parts.door->answers(request, response) ? httplib::Server::HandlerResponse::Handled
                                                       : httplib::Server::HandlerResponse::Unhandled;
     });
-    server.set_exception_handler([](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
-        answer_exception(response, thrown);
-    });
+    server.set_exception_handler([](const httplib::Request&, httplib::Response& response,
+                                    const std::exception_ptr& thrown) { answer_exception(response, thrown); });
     server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
         if (response.body.empty()) {
             refuse(response, response.status, response.status == 404 ? "nothing is here" : "this cannot be answered");

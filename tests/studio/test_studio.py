@@ -224,6 +224,8 @@ class Refusals(InAFolder):
     def test_what_changes_something_is_a_post(self):
         run = self.finished_run()
         studio = self.studio()
+        (self.runs / "a-link").symlink_to(self.runs / run)
+        self.assertEqual(studio.get_json("/api/names")["result"], [run])
         for path in ("delete", "stop", "resume", "pdf"):
             self.assertEqual(studio.get(f"/api/runs/{run}/{path}").status, 404, path)
         self.assertEqual(studio.get("/api/start").status, 404)
@@ -269,6 +271,7 @@ class Ports(InAFolder):
         self.assertNotEqual(first.port, second.port)
         for studio in (first, second):
             self.assertEqual([r["name"] for r in studio.get_json("/api/runs")["result"]["runs"]], [run])
+            self.assertEqual(studio.get_json("/api/names")["result"], [run])
         self.assertEqual(second.get("/", headers={"Cookie": first.cookie}).status, 401)
         self.assertIn(f"port {first.port} is taken", second.end())
 
