@@ -10,7 +10,6 @@
 #include "apps/studio/routes.hpp"
 #include "apps/studio/run_folders.hpp"
 #include <chrono>
-#include <optional>
 #include <regex>
 #include <sys/wait.h>
 #include <thread>
@@ -75,14 +74,6 @@ void take_case(const httplib::Request& request, const fs::path& folder) {
     }
 }
 
-/// `check`, and what it finds; nothing where the case has no error.
-std::optional<ProgramCall> errors_in(const fs::path& folder, const std::vector<std::string>& preset) {
-    std::vector<std::string> words{"check", "case.toml"};
-    words.insert(words.end(), preset.begin(), preset.end());
-    ProgramCall call = call_program(words, folder);
-    return call.code == 0 ? std::nullopt : std::optional(std::move(call));
-}
-
 ProgramCall plan_in(const fs::path& folder, const std::vector<std::string>& preset, const fs::path& cache) {
     std::vector<std::string> words{"plan", "case.toml", "--cache=" + cache.string()};
     words.insert(words.end(), preset.begin(), preset.end());
@@ -102,8 +93,7 @@ void plan(const httplib::Request& request, httplib::Response& response, const St
     take_case(request, folder.path());
     std::vector<std::string> preset;
     add_options(request, {"preset"}, preset);
-    const std::optional<ProgramCall> errors = errors_in(folder.path(), preset);
-    answer_call(response, errors ? *errors : plan_in(folder.path(), preset, job::cache_next_to(studio.folder / "new")));
+    answer_call(response, plan_in(folder.path(), preset, job::cache_next_to(studio.folder / "new")));
 }
 
 /// Memory of the runs that are at work, by their plans [B].
@@ -163,10 +153,6 @@ void start(const httplib::Request& request, httplib::Response& response, Studio&
     {
         const ScratchFolder scratch;
         take_case(request, scratch.path());
-        if (const std::optional<ProgramCall> errors = errors_in(scratch.path(), preset)) {
-            answer_call(response, *errors);
-            return;
-        }
         const ProgramCall price = plan_in(scratch.path(), preset, job::cache_next_to(studio.folder / "new"));
         if (price.code != 0) {
             answer_call(response, price);
