@@ -2,8 +2,9 @@
 # page/test.sh PAGE_DIR [TEST_PROGRAM]: opens reports and the studio in a real browser. PAGE_DIR is where page/build.sh works;
 # TEST_PROGRAM (default: the release build's suffuse_report_test) writes the sample runs; screenshots and samples go to
 # PAGE_DIR/samples. Needs Chromium. Exit code 77 where what is needed for it cannot be had here.
+# SUFFUSE_PICTURES=docs/images makes the pictures of docs/tutorials/in-the-browser.md anew.
 set -eu
-[ $# -ge 1 ] && [ $# -le 2 ] || { sed -n '2,4s/^# //p' "$0" >&2; exit 2; }
+[ $# -ge 1 ] && [ $# -le 2 ] || { sed -n '2,5s/^# //p' "$0" >&2; exit 2; }
 here=$(dirname "$(readlink -f "$0")")
 program=${2:-$here/../build/release/suffuse_report_test}
 complain() { printf 'report test: %s\n' "$*" >&2; }
