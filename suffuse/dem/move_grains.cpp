@@ -48,7 +48,7 @@ move_tile(const motion::MotionOf<Double4, Matrix>& motion, const GrainMove& w, s
         const Double4 force = w.load == nullptr ? sum.force : sum.force + w.load_share * double4(w.load[g], 0);
         Double4 position = row.position, velocity = row.velocity;
         const Double4 inverse_mass = broadcast<3>(position), inverse_inertia = broadcast<3>(velocity);
-        const Double4 free = is_free(row);
+        const Double4 free = w.drag == nullptr ? is_free(row) : w.drag[g] * is_free(row);
         motion::shift(motion, inverse_mass * force, free, position, velocity);
         row.position = with_last_of(position, row.position);
         row.velocity = with_last_of(velocity, row.velocity);
@@ -164,6 +164,7 @@ GrainMove plan_move(
         .roster = plan.roster.data(),
         .awake_end = plan.awake_end.data(),
         .load = loaded ? load->force.data() : nullptr,
+        .drag = load != nullptr && !load->drag.empty() ? load->drag.data() : nullptr,
         .load_share = load_share,
         .watch = watch.grains.data(),
         .origin = watch.origin.data(),

@@ -27,7 +27,8 @@ struct Watch {
 struct GrainMove {
     std::size_t grains;
     const std::uint32_t *remote, *remote_start, *roster, *awake_end;
-    const Vec3* load; ///< null: none
+    const Vec3* load;   ///< null: none
+    const double* drag; ///< of each grain, over the step's; null: 1
     double load_share;
     const WatchedGrain* watch;
     const Vec3* origin;

@@ -5,6 +5,7 @@
 #include "suffuse/cell/cell.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/mobility_bounds.hpp"
+#include "suffuse/erosion/rest_under_weight.hpp"
 #include "suffuse/erosion/weighed_copy.hpp"
 #include "suffuse/stats/stress_by_fraction.hpp"
 
@@ -17,9 +18,7 @@
 namespace suffuse::erosion {
 namespace {
 
-// In units of WeightScale::time; measured against longer ones in docs/theory/weight.md.
-constexpr double rest_burst = 5, longest_rest = 200;
-constexpr double hold_burst = 4;
+constexpr double hold_burst = 4; ///< in units of WeightScale::time; measured in docs/theory/weight.md
 constexpr int bursts_of_a_flow = 5; ///< after which it follows the fines
 
 /// Masses of the fines of the result, those for which `counts` holds over all.
@@ -91,22 +90,10 @@ void check_heave(const MobilityResult& result, const MobilitySetting& setting) {
 }
 
 /// Fines fall into place under their weight alone.
-void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResult& result) {
+void lay_to_rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResult& result) {
     const std::vector<Vec3> start = copy.positions();
-    std::vector<std::uint8_t> moving(start.size(), 1);
-    bool rests = copy.free_count() == 0;
-    copy.load({}, 0);
-    while (!rests && result.rested_for < longest_rest) {
-        const std::vector<Vec3> before = copy.positions();
-        copy.hold(rest_burst, pulse, "rest");
-        result.rested_for += rest_burst;
-        std::int64_t count = 0;
-        for (std::size_t k = 0; k < before.size(); ++k) {
-            moving[k] = moves_in_rest(norm(copy.position(k) - before[k]), result.diameter[k]) ? 1 : 0;
-            count += moving[k];
-        }
-        rests = are_resting(count, copy.free_count());
-    }
+    const Rest rest = rest_under_weight(copy, pulse);
+    result.rested_for = rest.took;
     result.rest_steps = copy.steps();
     const Vec3 widths = cell::widths(copy.world().cell.h);
     const double cell_width = std::min({widths.x, widths.y, widths.z});
@@ -114,7 +101,7 @@ void rest(WeighedCopy& copy, const Vec3& down, const Pulse& pulse, MobilityResul
     result.fallen_mass_share =
         mass_share(result, [&](std::size_t k) { return has_fallen(fall(k), result.diameter[k]); });
     result.sifting_mass_share =
-        mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rests && moving[k] != 0); });
+        mass_share(result, [&](std::size_t k) { return fall(k) > cell_width || (!rest.ended && rest.moving[k] != 0); });
     result.sifts = is_notable_sifting(result.sifting_mass_share);
 }
 
@@ -283,7 +270,7 @@ MobilityResult find_mobility(
     WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.motion);
     MobilityResult result = describe(equilibrium, setting, copy);
     check_heave(result, setting);
-    rest(copy, setting.gravity.down, pulse, result);
+    lay_to_rest(copy, setting.gravity.down, pulse, result);
     Climb(copy, setting, solve, result).go(pulse);
     result.ramp_steps = copy.steps() - result.rest_steps;
     result.time_step = copy.time_step();

@@ -16,6 +16,8 @@ constexpr double look_interval = 0.5;  ///< between two looks at who moves
 constexpr double awake_after_load = 2; ///< all are, so long after the load has changed
 constexpr double creep = 1e-3;         ///< above it a grain moves [diameters in a unit of time]
 
+constexpr double largest_drag_step = 0.2; ///< of the time in which drag brakes the quickest grain: the scheme is explicit
+
 /// For each grain whether a contact presses it that its weight alone does not explain.
 std::vector<std::uint8_t> find_load_bearing(const dem::World& world, const std::vector<Vec3>& weight) {
     std::vector<std::uint8_t> bears(world.grains.size(), 0);
@@ -86,7 +88,9 @@ double time_step_of_free_grains(const dem::World& world) {
 
 } // namespace
 
-WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion)
+WeighedCopy::WeighedCopy(
+    const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight
+)
     : world_(sample), weight_(std::move(weight)) {
     grains::Grains& grains = world_.grains;
     world_.cell.velocity_gradient = {};
@@ -101,9 +105,30 @@ WeighedCopy::WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, con
             free_ += is_free ? 1 : 0;
         }
     }
-    part_held_grains(world_); // those of the skeleton never move
+    skeleton_ = part_held_grains(world_);
     caches_.neighborhood.leave_out_held_pairs();
-    scale_ = scale_weight(world_, weight_, fines_, motion);
+    scale_ = scale_weight(world_, weight_, fines_, motion, load_over_weight);
+}
+
+WeighedCopy::WeighedCopy(dem::World whole, const WeightScale& scale, std::vector<Vec3> weight)
+    : world_(std::move(whole)), weight_(std::move(weight)), scale_(scale) {
+    for (std::uint32_t g = 0; g < world_.grains.size(); ++g) {
+        if (world_.grains.fine[g] != 0) {
+            const bool is_held = world_.grains.motion[g] == grains::Motion::Held;
+            fines_.push_back(g);
+            bears_load_.push_back(is_held ? 1 : 0);
+            free_ += is_held ? 0 : 1;
+        }
+    }
+    skeleton_ = part_held_grains(world_);
+    caches_.neighborhood.leave_out_held_pairs();
+}
+
+dem::World WeighedCopy::whole() {
+    wake();
+    dem::World whole = world_;
+    whole.contacts = contact::joined(world_.contacts, skeleton_);
+    return whole;
 }
 
 WeighedCopy::State WeighedCopy::state() {
@@ -174,14 +199,30 @@ void WeighedCopy::load(std::span<const Vec3> force, double share) {
             load_.force[g] = scale_.factor * (force.empty() ? weight_[g] : weight_[g] + share * force[g]);
         }
     }
+    load_.drag.clear();
+    drag_ = scale_.drag;
+    damping_ = dem::usual_damping;
     loaded_for_ = 0;
     renew_time_step();
 }
 
+void WeighedCopy::immerse(std::span<const Vec3> force, std::span<const double> rate) {
+    load(force, 1);
+    const double largest = std::ranges::max(rate);
+    load_.drag.resize(rate.size());
+    std::ranges::transform(rate, load_.drag.begin(), [&](double each) { return largest > 0 ? each / largest : 0; });
+    drag_ = std::sqrt(scale_.factor) * largest;
+    damping_ = 0;
+}
+
+double WeighedCopy::true_time() const {
+    return scale_.time * std::sqrt(scale_.factor);
+}
+
 void WeighedCopy::hold(double time, const Pulse& pulse, std::string_view part) {
     dem::StepPlan plan;
-    plan.damping = dem::usual_damping;
-    plan.drag = scale_.drag;
+    plan.damping = damping_;
+    plan.drag = drag_;
     plan.loading = dem::constant_volume();
     plan.load = &load_;
     for (double left = time; left > 0;) {
@@ -189,7 +230,7 @@ void WeighedCopy::hold(double time, const Pulse& pulse, std::string_view part) {
         if (dem::network_has_grown(count_touching(world_.contacts) + count_touching(resting_), step_.known_contacts)) {
             renew_time_step();
         }
-        plan.dt = step_.time_step;
+        plan.dt = load_.drag.empty() ? step_.time_step : std::min(step_.time_step, largest_drag_step / drag_);
         const std::vector<Vec3> before = positions();
         const auto steps = static_cast<std::int64_t>(std::ceil(std::min(left, look_interval) * scale_.time / plan.dt));
         dem::advance(world_, caches_, plan, steps);

@@ -21,11 +21,24 @@ inline constexpr double load_of_skeleton = 100;
 
 class WeighedCopy {
 public:
-    /// @param weight of each grain, less buoyancy [N]; @param motion see scale_weight
-    WeighedCopy(const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion);
+    /// @param weight of each grain, less buoyancy [N]; @param motion and the last one: see scale_weight
+    WeighedCopy(
+        const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight = 1
+    );
+
+    /// Goes on from the `whole` of another copy: what is held there carries the skeleton.
+    WeighedCopy(dem::World whole, const WeightScale& scale, std::vector<Vec3> weight);
 
     /// Lets weight act, and `share` of the given force on each grain [N], if any, from now on. All are awake.
     void load(std::span<const Vec3> force, double share);
+
+    /// The same in water that drags each grain by its own rate [1/s], in true time, and in which nothing else damps its
+    /// motion. @param force of the water on each grain at rest [N]; @param rate of each grain
+    void immerse(std::span<const Vec3> force, std::span<const double> rate);
+
+    /// True time that passes in one unit of hold(): forces are scaled up and masses are not, so that the copy moves as
+    /// grains with contacts softer by scale().factor do, in a time shorter by its root [s].
+    [[nodiscard]] double true_time() const;
 
     /// Moves on under the load, for a time in units of scale().time.
     void hold(double time, const Pulse& pulse, std::string_view part);
@@ -40,6 +53,9 @@ public:
 
     /// Goes back to a state of this copy: what moves from there moves to the same bits.
     void go_back(const State& state);
+
+    /// All are awake. @return the world with the skeleton's own contacts, which world() lacks
+    [[nodiscard]] dem::World whole();
 
     [[nodiscard]] const dem::World& world() const { return world_; }
 
@@ -69,7 +85,8 @@ private:
     void renew_time_step();
 
     dem::World world_;
-    contact::Contacts resting_; ///< contacts of the whole between grains of which none moves
+    contact::Contacts skeleton_; ///< between grains of which none will ever move
+    contact::Contacts resting_;  ///< between others of which none moves now
     std::vector<Vec3> weight_;  ///< [N]
     std::vector<std::uint32_t> fines_;
     std::vector<std::uint8_t> bears_load_;
@@ -77,6 +94,8 @@ private:
     WeightScale scale_;
     dem::StepCaches caches_;
     grains::GrainLoad load_;
+    double drag_ = 0;    ///< viscous, the largest of all grains [1/s]
+    double damping_ = 0; ///< local [-]
     double loaded_for_ = 0; ///< in units of scale().time
     dem::ComputedStep step_;
     std::int64_t steps_ = 0, undone_steps_ = 0;

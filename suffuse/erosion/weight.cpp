@@ -31,7 +31,7 @@ std::vector<Vec3> buoyant_weights(const dem::World& world, const Gravity& gravit
 
 WeightScale scale_weight(
     const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines,
-    const WeighedMotion& motion
+    const WeighedMotion& motion, double load_over_weight
 ) {
     const grains::Grains& grains = world.grains;
     const contact::Spring& spring = contact::spring_of(world.material);
@@ -44,6 +44,7 @@ WeightScale scale_weight(
             std::min(scale.factor, spring.force(world.material, r, r, motion.softness * r) / norm(weight[g]));
         diameter.push_back(2 * r);
     }
+    scale.factor /= load_over_weight;
     const double median = upper_quantile(std::move(diameter), 0.5);
     scale.acceleration = scale.factor * norm(weight[fines.front()]) / grains.mass[fines.front()]; // the same for all
     scale.time = std::sqrt(median / scale.acceleration);

@@ -26,9 +26,10 @@ struct WeightScale {
 };
 
 /// @param weight of each grain [N]; @param fines rows of the grain table, at least one
+/// @param load_over_weight of the forces that are to press fines no further together than `softness` says
 WeightScale scale_weight(
     const dem::World& world, std::span<const Vec3> weight, std::span<const std::uint32_t> fines,
-    const WeighedMotion& motion = {}
+    const WeighedMotion& motion = {}, double load_over_weight = 1
 );
 
 } // namespace suffuse::erosion

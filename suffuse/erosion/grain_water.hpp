@@ -1,0 +1,56 @@
+#pragma once
+// The water as a grain meets it that may move: its force on those that stand in its way, its velocity where others go
+// with it, and the rate at which it drags each. All at a hydraulic gradient of 1.
+
+#include "suffuse/dem/world.hpp"
+#include "suffuse/flow/fluid.hpp"
+#include "suffuse/flow/seepage.hpp"
+#include "suffuse/pores/locate.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// Stokes' drag over mass and velocity: the rate at which still water brakes a sphere [1/s].
+double stokes_rate(double diameter, double mass, double viscosity);
+
+class GrainWater {
+public:
+    /// Solves the flow among the grains that stand. @param goes 1 for a grain that does not resist, a row a grain
+    /// @param direction of the flow; @throws as flow::solve_seepage
+    GrainWater(
+        const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid
+    );
+
+    /// Along the flow [m2].
+    [[nodiscard]] double permeability() const { return seepage_.permeability; }
+
+    /// Mean velocity in the pores at standing grain `g` [m/s].
+    [[nodiscard]] const Vec3& velocity(std::uint32_t g) const { return velocity_[g]; }
+
+    /// Mean velocity in the pore at a place [m/s].
+    [[nodiscard]] Vec3 velocity_at(const Vec3& place) const;
+
+    /// On standing grain `g` while it rests [N].
+    [[nodiscard]] const Vec3& force(std::uint32_t g) const { return force_[g]; }
+
+    /// At which the motion of grain `g` relative to the water is dragged [1/s]. Of a fine grain that stands: its force
+    /// at rest over the velocity of the water and its own mass; of others Stokes' times `hindrance`.
+    [[nodiscard]] double rate(std::uint32_t g) const { return rate_[g]; }
+
+    /// Drag over Stokes', of the median fine grain that stands; 1 where none does [-].
+    [[nodiscard]] double hindrance() const { return hindrance_; }
+
+private:
+    flow::Seepage seepage_;
+    std::vector<Vec3> force_, velocity_; ///< of the world's grains
+    std::vector<Vec3> pore_velocity_;
+    std::vector<double> rate_;
+    double hindrance_ = 1;
+    std::optional<pores::PoreLocator> locator_;
+};
+
+} // namespace suffuse::erosion
