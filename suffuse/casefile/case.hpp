@@ -5,6 +5,7 @@
 #include "suffuse/base/vec3.hpp"
 #include "suffuse/casefile/import_spec.hpp"
 #include "suffuse/dem/spec.hpp"
+#include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/spec.hpp"
 #include "suffuse/flow/fluid.hpp"
 #include "suffuse/grains/material.hpp"
@@ -26,7 +27,7 @@ using StageSpec = std::variant<
     ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec,
     triaxial::StressProbeSpec, dem::AdvanceSpec, flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec,
     erosion::RemoveSpec, triaxial::OedometerSpec, triaxial::IsotropicSpec, triaxial::PlaneStrainSpec,
-    triaxial::ShearSpec, triaxial::CyclicSpec>;
+    triaxial::ShearSpec, triaxial::CyclicSpec, erosion::MigrateSpec>;
 
 /// A value as it stands in the case file: a quantity stays a text with its unit.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;

@@ -82,6 +82,33 @@ pressure = "100 kPa"
 /// One more stage for its study.
 inline const std::string erode_stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"erode\"\n";
 
+/// Stages for its study that stand next to weight alone.
+inline const std::string keys_of_weight = R"([[study.one.stage]]
+name = "probe"
+do = "detach"
+asked_gradient = 0.2
+[[study.one.stage]]
+name = "erosion"
+do = "erode"
+[[study.one.stage]]
+name = "migration"
+do = "migrate"
+gradients = [0.2, 0.5]
+direction = "z"
+exit = "2 mm"
+skeleton = "held"
+hold_at_most = "500 ms"
+still = "1 %"
+still_for = "20 ms"
+softness = 1e-4
+with_water = 0.3
+solve_after = 0.1
+time_at_most = "1 s"
+steps_at_most = 1_000_000
+[gravity]
+down = "-z"
+)";
+
 /// A case that uses every key which can stand next to the others.
 inline const std::string full_case = R"(schema = 1
 title = "All \"keys\"\n and a tab\t"

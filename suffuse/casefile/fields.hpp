@@ -315,7 +315,7 @@ void weighed_fields(V& v, erosion::ProbeSpec& probe) {
 
 template <class V>
 void fields(V& v, erosion::DetachStageSpec& s) {
-    take_gravity(v, s.probe);
+    take_gravity(v, s.probe.gravity);
     gradients_field(v, s);
     v.direction(s.direction);
     v.field("asked_gradient", s.specified_gradient);
@@ -344,7 +344,7 @@ void fields(V& v, erosion::ErodeSpec& s) {
         inner.field("share", target.share);
         inner.choice("of", target.of, names::eroded_of);
     });
-    take_gravity(v, s.probe);
+    take_gravity(v, s.probe.gravity);
     gradient_of_passes(v, s);
     v.direction(s.direction);
     hold_of_passes(v, s);
@@ -374,6 +374,25 @@ void fields(V& v, erosion::RemoveSpec& s) {
     v.choice("order", s.order, names::removal_order);
     v.field("passes", s.passes);
     resettle_fields(v, s.resettle);
+}
+
+template <class V>
+void fields(V& v, erosion::MigrateSpec& s) {
+    take_gravity(v, s.gravity);
+    v.field("gradients", s.gradients);
+    v.direction(s.direction);
+    v.field("exit", s.exit);
+    auto skeleton = names::Skeleton::Held;
+    v.choice("skeleton", skeleton, names::skeleton);
+    v.field("hold_at_most", s.hold_at_most);
+    v.field("still", s.still);
+    v.field("still_for", s.still_for);
+    v.field("softness", s.softness);
+    v.field("with_water", s.with_water);
+    v.field("solve_after", s.solve_after);
+    v.field("time_at_most", s.time_at_most);
+    v.field("steps_at_most", s.steps_at_most);
+    check_migration(v, s);
 }
 
 /// What every stage has besides its own keys; `name` and `do` are read before, for they say which keys these are.

@@ -186,9 +186,8 @@ TEST(LoadCase, EveryKeyOfTheSchemaIsWrittenBack) {
         const std::string law = fmt::format("[contact]\nlaw = \"{}\"\nmodulus = \"70 GPa\"\n", spring.words.name);
         collect_keys(tree_of(load(good_case + law)), written);
     }
-    const std::string extra_stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\nasked_gradient = 0.2\n";
     const std::string title_page = "[report]\nproject = \"Dyke\"\nauthor = \"A. E.\"\n";
-    collect_keys(tree_of(load(good_case + extra_stage + "[gravity]\ndown = \"-z\"\n" + title_page)), written);
+    collect_keys(tree_of(load(good_case + keys_of_weight + title_page)), written);
     for (const Key& key : schema()) {
         // `preset` was applied; `settle` writes its stresses per axis, `detach` all its gradients.
         const bool is_input_only = key.table == "presets.*" || (key.table.empty() && key.name == "preset") ||
@@ -227,17 +226,6 @@ name = "settled"
 do = "settle"
 pressure = "100 kPa"
 shear_stresses = "released"
-)";
-
-const std::string keys_of_weight = R"([[study.one.stage]]
-name = "probe"
-do = "detach"
-asked_gradient = 0.2
-[[study.one.stage]]
-name = "erosion"
-do = "erode"
-[gravity]
-down = "-z"
 )";
 
 // That another verb writes a key of this name is not enough.

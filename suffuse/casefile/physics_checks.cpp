@@ -97,13 +97,16 @@ public:
         );
     }
 
-    void check_lift(const Stage& stage, const erosion::Gravity& gravity, const Vec3& direction, double gradient) {
+    void check_lift(
+        const Stage& stage, std::string_view key, const erosion::Gravity& gravity, const Vec3& direction,
+        double gradient
+    ) {
         const std::optional<double> heave = heave_of(gravity, direction);
         if (!heave || gradient <= *heave) {
             return;
         }
         context_.problems.warning(
-            "W604", stage_place(stage, "gradient"),
+            "W604", stage_place(stage, key),
             fmt::format("a gradient of {:.4g} is above the one of heave, about {:.2f}", gradient, *heave),
             "seepage this way lifts the whole soil; the run holds the coarse grains and finds which fines move"
         );
@@ -363,7 +366,7 @@ struct CheckValues {
         for (int pass = 1; pass <= 1 + static_cast<int>(erode.later_passes.size()); ++pass) {
             const double gradient = erosion::at_pass(erode, pass).gradient;
             if (erode.probe.gravity) {
-                checks.check_lift(stage, *erode.probe.gravity, erode.direction, gradient);
+                checks.check_lift(stage, "gradient", *erode.probe.gravity, erode.direction, gradient);
             } else {
                 checks.check_gradient(stage, "gradient", gradient);
             }
@@ -374,6 +377,13 @@ struct CheckValues {
     }
 
     void operator()(const erosion::RemoveSpec&) const {}
+
+    void operator()(const erosion::MigrateSpec& migrate) const {
+        if (migrate.gravity && !migrate.gradients.empty()) {
+            const double highest = *std::ranges::max_element(migrate.gradients);
+            checks.check_lift(stage, "gradients", *migrate.gravity, migrate.direction, highest);
+        }
+    }
 };
 
 void check_stage(Checks& checks, const Stage& stage) {

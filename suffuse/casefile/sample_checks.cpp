@@ -160,7 +160,8 @@ private:
     void check_skeleton(const grains::SampledGrains& sample) {
         constexpr double wanted = erosion::narrowest_skeleton * (1 + doubtful_width);
         const auto width = skeleton_width(sample);
-        const bool erodes = has_stage(variant_, [](const StageTraits& traits) { return traits.erodes(); });
+        const bool erodes =
+            has_stage(variant_, [](const StageTraits& traits) { return traits.erodes() && traits.ends_balanced; });
         if (!erodes || !width || *width >= wanted) {
             return;
         }

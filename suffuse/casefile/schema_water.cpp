@@ -2,6 +2,7 @@
 
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
+#include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/spec.hpp"
 
 #include <fmt/format.h>
@@ -164,6 +165,53 @@ std::vector<Key> detach_rows() {
     return rows;
 }
 
+std::vector<Key> migrate_rows() {
+    const char* const stage = "stage.migrate";
+    return {
+        required(list_of(ratio(
+            stage, "gradients", above_zero,
+            "Hydraulic gradients, applied one after the other. Each is held until so few fines move (`still`)."
+        ))),
+        direction(stage, "Where the water goes: grad p = -i rho_w g direction."),
+        quantity(
+            stage, "exit", dimension::length, above_zero,
+            "A fine grain that crosses this plane has left: its distance along the flow from where the water enters "
+            "the cell. By default a grain leaves after one cell length along the flow."
+        ),
+        choice(
+            stage, "skeleton", names::words_of(names::skeleton),
+            "held: coarse grains, and fines that carry the skeleton's forces, do not move."
+        ),
+        quantity(
+            stage, "hold_at_most", dimension::time, above_zero,
+            "A gradient is held no longer, in the soil's own time. Results mark where motion had not ended."
+        ),
+        ratio(stage, "still", open_share, "Share of the fines' mass that may still move when a hold ends."),
+        quantity(
+            stage, "still_for", dimension::time, above_zero,
+            "Over this time a grain that moves goes further than a tenth of its diameter."
+        ),
+        ratio(
+            stage, "softness", {0, 0.02, true, false},
+            "The overlap over the radius by which the load of 95 % of the fines presses two equal ones together. "
+            "Contacts are as much softer; forces and time are real. Steps grow as its root."
+        ),
+        ratio(
+            stage, "with_water", {0, 1, true, true},
+            "A grain whose velocity relative to the water is below this share of the water's goes with it, and does "
+            "not resist it."
+        ),
+        ratio(
+            stage, "solve_after", {0, 2, true, false},
+            "The flow is solved anew when 1 % of the fines' mass has moved so far, in diameters, or has begun or "
+            "ceased "
+            "to go with the water."
+        ),
+        quantity(stage, "time_at_most", dimension::time, above_zero, "Of all holds together; no limit unless said."),
+        count(stage, "steps_at_most", from_one, "Time steps of the stage; no limit unless said."),
+    };
+}
+
 } // namespace
 
 std::vector<Key> erosion_rows() {
@@ -277,6 +325,7 @@ std::vector<Key> erosion_rows() {
             resettling_pace("stage.remove"),
         }
     );
+    append(rows, migrate_rows());
     return rows;
 }
 

@@ -34,6 +34,8 @@ struct LoadingAtEnd {
     Named operator()(const erosion::ErodeSpec&) const { return {}; } // under what it finds
 
     Named operator()(const erosion::RemoveSpec&) const { return {}; }
+
+    Named operator()(const erosion::MigrateSpec&) const { return {}; }
 };
 
 } // namespace

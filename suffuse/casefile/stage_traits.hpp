@@ -101,6 +101,13 @@ inline constexpr std::tuple stage_rows{
         {.verb = "plane-strain", .needs = Needs::Stress, .measures = {"stress-strain", "volumetric-strain"}}},
     TraitsOf<triaxial::ShearSpec>{{.verb = "shear", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
     TraitsOf<triaxial::CyclicSpec>{{.verb = "cyclic", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
+    TraitsOf<erosion::MigrateSpec>{
+        {.verb = "migrate",
+         .needs = Needs::Contacts,
+         .has_water = true,
+         .needs_fines_rule = true,
+         .loses_grains = true,
+         .keeps_path = true}},
 };
 
 namespace detail {

@@ -19,6 +19,7 @@ namespace {
 using namespace suffuse;
 using namespace suffuse::casefile;
 using suffuse::casefile::testing::full_case;
+using suffuse::casefile::testing::keys_of_weight;
 
 TEST(StageTraits, EachSpecHasTheRowOfItsVerb) {
     EXPECT_EQ(traits_of(StageSpec{ImportSpec{}}).verb, "import");
@@ -32,6 +33,7 @@ TEST(StageTraits, EachSpecHasTheRowOfItsVerb) {
     EXPECT_EQ(traits_of(StageSpec{erosion::DetachStageSpec{}}).verb, "detach");
     EXPECT_EQ(traits_of(StageSpec{erosion::ErodeSpec{}}).verb, "erode");
     EXPECT_EQ(traits_of(StageSpec{erosion::RemoveSpec{}}).verb, "remove");
+    EXPECT_EQ(traits_of(StageSpec{erosion::MigrateSpec{}}).verb, "migrate");
 }
 
 TEST(StageTraits, AVerbIsFoundByItsName) {
@@ -94,7 +96,7 @@ TEST(StageTraits, TestsOfAllVerbsHaveEachOfThem) {
     const std::string scenarios = texts_below("tests/scenarios", ".cpp");
     for (const StageTraits& traits : stage_traits) {
         const std::regex stage(fmt::format(R"(\bdo *= *\\?"{}\\?")", traits.verb));
-        EXPECT_TRUE(std::regex_search(full_case, stage)) << traits.verb << ": full_case in case_for_tests.hpp";
+        EXPECT_TRUE(std::regex_search(full_case + keys_of_weight, stage)) << traits.verb << ": case_for_tests.hpp";
         EXPECT_TRUE(std::regex_search(compared, stage)) << traits.verb << ": tools/same_results/rest.toml";
         EXPECT_TRUE(std::regex_search(scenarios, stage)) << traits.verb << ": a scenario in tests/scenarios/";
     }

@@ -56,6 +56,35 @@ TEST(Gravity, IsMentionedOnceWhereAStageProbesWhatWaterTakes) {
     EXPECT_NE(weight_sentence(load(weighed(erode_stage))).find("all other stages are weightless"), std::string::npos);
 }
 
+const std::string migrate_stage = "[[study.one.stage]]\nname = \"away\"\ndo = \"migrate\"\n";
+
+TEST(Gravity, IsNeededWhereFinesMigrate) {
+    const Diagnostic problem = find_problem(problems_of(good_case + migrate_stage + "gradients = [0.5]\n"), "E207");
+    EXPECT_NE(problem.message.find("gives them no weight"), std::string::npos);
+    EXPECT_NE(problem.help.find("[gravity]"), std::string::npos);
+    const Case c = load(weighed(migrate_stage + "gradients = [0.5]\n"));
+    EXPECT_TRUE(last_spec<erosion::MigrateSpec>(c).gravity);
+    EXPECT_EQ(resolved_toml(load(resolved_toml(c))), resolved_toml(c));
+}
+
+TEST(Gravity, LetsFinesMigrateUnderGradientsAboveZeroAndSoftnessThatIsSmall) {
+    for (const std::string wrong :
+         {"gradients = [0.2, 0]\n", "gradients = [-0.1]\n", "gradients = [0.1]\nsoftness = 0.1\n",
+          "gradients = [0.1]\nexit = \"-1 mm\"\n", "gradients = [0.1]\nhold_at_most = \"0 s\"\n"}) {
+        const std::vector<Diagnostic> problems = problems_of(weighed(migrate_stage + wrong));
+        ASSERT_FALSE(problems.empty()) << wrong;
+        EXPECT_GT(problems.front().line, 0) << wrong;
+        EXPECT_FALSE(problems.front().is_warning) << wrong;
+    }
+    EXPECT_FALSE(problems_of(weighed(migrate_stage)).empty()) << "gradients are required";
+}
+
+TEST(Gravity, WarnsOfAFlowThatLiftsTheWholeSoilWhereFinesMigrate) {
+    const auto loaded =
+        load_case_text(weighed(migrate_stage + "gradients = [0.2, 3]\n"), "case.toml", testing::data_folder());
+    EXPECT_NE(find_problem(loaded.warnings, "W604").message.find("heave"), std::string::npos);
+}
+
 TEST(Gravity, MayPointAnywhereAndPullAsHardAsOneLikes) {
     const Case c =
         load(replaced(weighed(erode_stage), "down = \"-z\"", "down = [0, 3, -4]\nacceleration = \"981 m/s^2\""));

@@ -92,8 +92,8 @@ void refuse(Reader& v, std::span<const std::string_view> keys, std::string_view 
 
 } // namespace
 
-void take_gravity(Reader& v, erosion::ProbeSpec& probe) {
-    probe.gravity = v.context().gravity;
+void take_gravity(Reader& v, std::optional<erosion::Gravity>& gravity) {
+    gravity = v.context().gravity;
 }
 
 void check_weightless(Reader& v, const erosion::ProbeSpec& probe) {
@@ -123,6 +123,16 @@ void check_hold(Reader& v, const erosion::ProbeSpec& probe, bool holds_coarse) {
         v.error(
             "E207", node->place, fmt::format("{} holds no grain, and its fines have weight: all would fall", v.title()),
             "leave `hold` out: the coarse grains are held; or leave [gravity] out"
+        );
+    }
+}
+
+void check_migration(Reader& v, const erosion::MigrateSpec& s) {
+    if (!s.gravity) {
+        v.error(
+            "E207", v.place(),
+            fmt::format("{} moves fines with the water, but the case gives them no weight", v.title()),
+            "add [gravity] with down = \"-z\": weight decides which fines the water lifts, and where they rest"
         );
     }
 }

@@ -15,10 +15,10 @@ void fields(V& v, erosion::DetachSpec& s) {
     v.field("noise_quantile", s.noise_quantile);
 }
 
-/// The case's [gravity] belongs to every stage that probes fines.
-void take_gravity(Reader& v, erosion::ProbeSpec& probe);
+/// The case's [gravity] belongs to every stage that probes fines or moves them.
+void take_gravity(Reader& v, std::optional<erosion::Gravity>& gravity);
 
-inline void take_gravity(Writer&, const erosion::ProbeSpec&) {}
+inline void take_gravity(Writer&, const std::optional<erosion::Gravity>&) {}
 
 /// Keys that have no meaning where fines have weight.
 void check_weightless(Reader& v, const erosion::ProbeSpec& probe);
@@ -34,6 +34,11 @@ inline void check_weighed(Writer&, const erosion::ProbeSpec&) {}
 void check_hold(Reader& v, const erosion::ProbeSpec& probe, bool holds_coarse);
 
 inline void check_hold(Writer&, const erosion::ProbeSpec&, bool) {}
+
+/// Fines do not migrate without weight.
+void check_migration(Reader& v, const erosion::MigrateSpec& s);
+
+inline void check_migration(Writer&, const erosion::MigrateSpec&) {}
 
 /// A list, or { up_to = 1.2, steps = 24 }.
 void gradients_field(Reader& v, erosion::DetachStageSpec& s);

@@ -11,6 +11,9 @@ bool weighs_fines(const Stage& stage) {
     if (const auto* detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
         return detach->probe.gravity.has_value();
     }
+    if (const auto* migrate = std::get_if<erosion::MigrateSpec>(&stage.spec)) {
+        return migrate->gravity.has_value();
+    }
     const auto* erode = std::get_if<erosion::ErodeSpec>(&stage.spec);
     return erode != nullptr && erode->probe.gravity && !erode->forced;
 }
@@ -25,9 +28,10 @@ std::string weight_sentence(const Case& what) {
     if (!needs_mobility) {
         return "";
     }
-    return what.gravity ? "fines have weight in stages with water (detach, erode); all other stages are weightless"
-                        : "nothing has weight, as in the paper: any gradient removes the same grains; with a table "
-                          "[gravity] it removes those whose weight it lifts";
+    return what.gravity
+               ? "fines have weight in stages with water (detach, erode, migrate); all other stages are weightless"
+               : "nothing has weight, as in the paper: any gradient removes the same grains; with a table "
+                 "[gravity] it removes those whose weight it lifts";
 }
 
 } // namespace suffuse::casefile

@@ -38,21 +38,22 @@ GrainWater::GrainWater(
     locator_.emplace(seepage_.network, position);
 
     force_.resize(grains.size());
-    velocity_.resize(grains.size());
+    std::vector<Vec3> velocity(grains.size()); // around them, by water
     std::vector<double> water(grains.size());
     for (std::size_t p = 0; p < pores.size(); ++p) {
         const double volume = std::max(0.0, pores.void_volume[p]);
         for (const std::uint32_t row : pores.grain[p]) {
-            velocity_[standing[row]] += volume * pore_velocity_[p];
+            velocity[standing[row]] += volume * pore_velocity_[p];
             water[standing[row]] += volume;
         }
     }
     std::vector<double> hindrance(grains.size()), of_fines;
     for (std::size_t row = 0; row < standing.size(); ++row) {
         const std::uint32_t g = standing[row];
-        velocity_[g] = water[g] > 0 ? velocity_[g] / water[g] : Vec3{};
         force_[g] = seepage_.grain_force[row];
-        const double stokes = 6 * pi * fluid.viscosity * grains.radius[g] * norm(velocity_[g]);
+        const double speed = water[g] > 0 ? norm(velocity[g]) / water[g] : 0;
+        const double stokes =
+            grains.mass[g] * stokes_rate(2 * grains.radius[g], grains.mass[g], fluid.viscosity) * speed;
         if (stokes > 0) {
             hindrance[g] = std::clamp(norm(force_[g]) / stokes, least_hindrance, largest_hindrance);
             if (grains.fine[g] != 0) {
@@ -61,6 +62,7 @@ GrainWater::GrainWater(
         }
     }
     hindrance_ = of_fines.empty() ? 1 : upper_quantile(std::move(of_fines), 0.5);
+    mass_ = grains.mass;
     rate_.resize(grains.size());
     for (std::size_t g = 0; g < grains.size(); ++g) {
         const double factor = hindrance[g] > 0 ? hindrance[g] : hindrance_;

@@ -28,17 +28,17 @@ public:
     /// Along the flow [m2].
     [[nodiscard]] double permeability() const { return seepage_.permeability; }
 
-    /// Mean velocity in the pores at standing grain `g` [m/s].
-    [[nodiscard]] const Vec3& velocity(std::uint32_t g) const { return velocity_[g]; }
-
     /// Mean velocity in the pore at a place [m/s].
     [[nodiscard]] Vec3 velocity_at(const Vec3& place) const;
+
+    /// Velocity at which the water would not push standing grain `g`: its force at rest over mass and rate [m/s].
+    [[nodiscard]] Vec3 velocity(std::uint32_t g) const { return force_[g] / (mass_[g] * rate_[g]); }
 
     /// On standing grain `g` while it rests [N].
     [[nodiscard]] const Vec3& force(std::uint32_t g) const { return force_[g]; }
 
-    /// At which the motion of grain `g` relative to the water is dragged [1/s]. Of a fine grain that stands: its force
-    /// at rest over the velocity of the water and its own mass; of others Stokes' times `hindrance`.
+    /// At which the motion of grain `g` relative to that velocity is braked [1/s]. Of a grain that stands: its force at
+    /// rest over the mean velocity of the water around it, at least Stokes'; of others Stokes' times `hindrance`.
     [[nodiscard]] double rate(std::uint32_t g) const { return rate_[g]; }
 
     /// Drag over Stokes', of the median fine grain that stands; 1 where none does [-].
@@ -46,9 +46,9 @@ public:
 
 private:
     flow::Seepage seepage_;
-    std::vector<Vec3> force_, velocity_; ///< of the world's grains
     std::vector<Vec3> pore_velocity_;
-    std::vector<double> rate_;
+    std::vector<Vec3> force_; ///< of the world's grains, as the following
+    std::vector<double> mass_, rate_;
     double hindrance_ = 1;
     std::optional<pores::PoreLocator> locator_;
 };

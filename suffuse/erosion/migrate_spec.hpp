@@ -19,7 +19,8 @@ struct MigrateSpec {
     double still = 0.005;          ///< share of the fines' mass that may move when a hold ends [-]
     double still_for = 0.05;       ///< true time over which motion is looked at [s]
     double softness = 1e-3;        ///< overlap over radius of two equal fines under the 95 % load [-]
-    double with_water = 0.4; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
+    double with_water =
+        0.4; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
     double solve_after = 0.2;                  ///< the flow, when fines have moved so far [diameters]
     std::optional<double> time_at_most;        ///< true time of all holds [s]
     std::optional<std::int64_t> steps_at_most; ///< of all holds

@@ -17,11 +17,11 @@
 namespace suffuse::erosion {
 namespace {
 
-constexpr double departs = 0.5;          ///< from where it rested [diameters]
-constexpr double moves = 0.1;            ///< within `still_for`: a grain that is on its way [diameters]
-constexpr double old_share = 0.01;       ///< of the fines' mass that has moved since the flow was solved
-constexpr double burst_travel = 0.1;     ///< of the median fine grain with the water, in a burst [diameters]
-constexpr double load_quantile = 0.95;   ///< of the fines, which sets how soft contacts are
+constexpr double departs = 0.5;           ///< from where it rested [diameters]
+constexpr double moves = 0.1;             ///< within `still_for`: a grain that is on its way [diameters]
+constexpr double old_share = 0.01;        ///< of the fines' mass that has moved since the flow was solved
+constexpr double burst_travel = 0.1;      ///< of the median fine grain with the water, in a burst [diameters]
+constexpr double load_quantile = 0.95;    ///< of the fines, which sets how soft contacts are
 constexpr double nearly_whole = 1 - 1e-9; ///< of a time
 
 double median_diameter(const grains::Grains& grains) {
@@ -151,7 +151,7 @@ public:
           water_(before.world, flags_of_rows(before.world, ledger_), spec.direction, around.fluid),
           copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
           start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
-          pull_(before.holds.back().gradient * strength(spec)), force_(before.world.grains.size()),
+          pull_(before.result.holds.back().gradient * strength(spec)), force_(before.world.grains.size()),
           rate_(before.world.grains.size()) {
         const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
         const double flow = specific * water_.permeability() / around.fluid.viscosity;
@@ -161,9 +161,10 @@ public:
         }
         const std::size_t any = copy_.fines().front();
         const double d = median_diameter(before.world.grains);
-        const double sinking = norm(copy_.weight(copy_.fines().front())) / before.world.grains.mass[any] /
-                               (water_.hindrance() * stokes_rate(d, before.world.material.density * sphere_volume(d / 2),
-                                                                 around.fluid.viscosity));
+        const double sinking =
+            norm(copy_.weight(copy_.fines().front())) / before.world.grains.mass[any] /
+            (water_.hindrance() *
+             stokes_rate(d, before.world.material.density * sphere_volume(d / 2), around.fluid.viscosity));
         burst_time_ = burst_travel * d / (flow / dem::porosity(before.world) + sinking);
     }
 
@@ -187,13 +188,13 @@ public:
         migration.steps += copy_.steps();
         migration.time_step = copy_.time_step() * to_true_;
         migration.hindrance = water_.hindrance();
-        migration.holds.back().held_for += took_;
-        migration.holds.back().permeability = water_.permeability();
+        migration.result.holds.back().held_for += took_;
+        migration.result.holds.back().permeability = water_.permeability();
         note_whereabouts();
         migration.ledger = ledger_;
         MigrationRow row{
             .time = migration.time,
-            .gradient = migration.holds.back().gradient,
+            .gradient = migration.result.holds.back().gradient,
             .permeability = water_.permeability(),
             .eroded_mass = eroded_mass(ledger_),
             .energy = migration.energy};
@@ -201,7 +202,7 @@ public:
             row.moving_mass += ledger_.where[k] == Whereabouts::Moving ? ledger_.mass[k] : 0;
             row.lodged_mass += ledger_.where[k] == Whereabouts::Lodged ? ledger_.mass[k] : 0;
         }
-        migration.rows.push_back(row);
+        migration.result.rows.push_back(row);
         migration.world = copy_.whole();
         migration.largest_overlap = std::max(migration.largest_overlap, largest_overlap(migration.world));
         std::vector<std::uint32_t> eroded;
@@ -218,31 +219,32 @@ public:
 private:
     [[nodiscard]] double diameter(std::size_t p) const { return ledger_.diameter[present_[p]]; }
 
+    [[nodiscard]] bool goes(std::size_t p) const { return ledger_.goes[present_[p]] != 0; }
+
     [[nodiscard]] bool has_moved(std::size_t p) const {
         return norm(copy_.position(p) - start_[p]) > spec_.solve_after * diameter(p);
     }
 
-    /// Velocity of the water at a grain, in true time [m/s]: where it stands, that of the pores around it; where it has
-    /// moved, or goes with the water, that of the pore where it is.
+    /// Velocity of the water at a grain [m/s]: where it stands, that which does not push it; where it has moved, or
+    /// goes with the water, that in the pore where it is.
     [[nodiscard]] Vec3 water_at(std::size_t p) const {
-        const bool stands = ledger_.goes[present_[p]] == 0 && !has_moved(p);
+        const bool stands = !goes(p) && !has_moved(p);
         return pull_ * (stands ? water_.velocity(copy_.fines()[p]) : water_.velocity_at(copy_.position(p)));
     }
 
+    /// Whether a grain goes with the water: it begins to where it is nearly as quick, and ceases where it comes to
+    /// rest, at half the speed.
     [[nodiscard]] bool goes_now(std::size_t p) const {
         const Vec3 water = water_at(p), own = copy_.world().grains.velocity[copy_.fines()[p]] / to_true_;
-        return !copy_.bears_load(p) && norm(own - water) < spec_.with_water * norm(water);
+        return goes(p) ? norm(own) > 0.5 * (1 - spec_.with_water) * norm(water)
+                       : !copy_.bears_load(p) && norm(own - water) < spec_.with_water * norm(water);
     }
 
     /// For a true time [s].
     void burst(double time) {
         for (std::size_t p = 0; p < present_.size(); ++p) {
             const std::uint32_t g = copy_.fines()[p];
-            if (ledger_.goes[present_[p]] == 0 && !has_moved(p)) {
-                force_[g] = pull_ * water_.force(g);
-            } else {
-                force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);
-            }
+            force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);
         }
         copy_.immerse(force_, rate_);
         copy_.hold(time / copy_.true_time(), pulse_, "migrate");
@@ -268,7 +270,7 @@ private:
         for (std::size_t p = 0; p < present_.size(); ++p) {
             const std::size_t k = present_[p];
             all += ledger_.mass[k];
-            old += has_moved(p) || goes_now(p) != (ledger_.goes[k] != 0) ? ledger_.mass[k] : 0;
+            old += has_moved(p) || goes_now(p) != goes(p) ? ledger_.mass[k] : 0;
         }
         return old > old_share * all;
     }
@@ -278,11 +280,11 @@ private:
             const std::size_t k = present_[p];
             ledger_.end[k] = copy_.position(p);
             const double speed = norm(copy_.position(p) - start_[p]) / took_;
-            ledger_.where[k] = copy_.bears_load(p)                                     ? Whereabouts::Fixed
-                               : ledger_.left[k] >= 0                                  ? Whereabouts::Eroded
-                               : speed > moves * diameter(p) / spec_.still_for         ? Whereabouts::Moving
+            ledger_.where[k] = copy_.bears_load(p)                                               ? Whereabouts::Fixed
+                               : ledger_.left[k] >= 0                                            ? Whereabouts::Eroded
+                               : speed > moves * diameter(p) / spec_.still_for                   ? Whereabouts::Moving
                                : norm(ledger_.end[k] - ledger_.start[k]) > departs * diameter(p) ? Whereabouts::Lodged
-                                                                                       : Whereabouts::Stayed;
+                                                                                                 : Whereabouts::Stayed;
         }
     }
 
@@ -292,10 +294,10 @@ private:
     std::vector<std::size_t> present_;
     GrainWater water_;
     WeighedCopy copy_;
-    std::vector<Vec3> start_; ///< fines where the flow was solved [m]
-    double to_true_;          ///< time of the copy to true time [-]
-    double pull_;             ///< the gradient, for a flow of standard gravity [-]
-    double power_ = 0;        ///< of the flow [W]
+    std::vector<Vec3> start_;          ///< fines where the flow was solved [m]
+    double to_true_;                   ///< time of the copy to true time [-]
+    double pull_;                      ///< the gradient, for a flow of standard gravity [-]
+    double power_ = 0;                 ///< of the flow [W]
     double burst_time_ = 0, took_ = 0; ///< true [s]
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
     std::vector<double> rate_;         ///< [1/s]
@@ -311,14 +313,14 @@ double look_at_motion(Migration& migration) {
         ledger.before[k] = ledger.end[k];
     }
     migration.looked = migration.time;
-    return moving / migration.fines_mass;
+    return moving / migration.result.fines_mass;
 }
 
 /// Ends the gradient where its fines rest, or a budget is spent, and begins the next.
 void end_hold(Migration& migration, const MigrateSpec& spec) {
-    MigrationHold& hold = migration.holds.back();
+    MigrationHold& hold = migration.result.holds.back();
     hold.moving_mass_share = look_at_motion(migration);
-    hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.fines_mass;
+    hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
     hold.ended = hold.moving_mass_share <= spec.still;
     const bool is_spent = (spec.time_at_most && migration.time >= *spec.time_at_most * nearly_whole) ||
                           (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
@@ -326,10 +328,10 @@ void end_hold(Migration& migration, const MigrateSpec& spec) {
         return where == Whereabouts::Eroded || where == Whereabouts::Fixed;
     });
     const bool is_over = hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole;
-    if (is_spent || all_left || (is_over && migration.holds.size() == spec.gradients.size())) {
+    if (is_spent || all_left || (is_over && migration.result.holds.size() == spec.gradients.size())) {
         migration.over = true;
     } else if (is_over) {
-        migration.holds.push_back({.gradient = spec.gradients[migration.holds.size()]});
+        migration.result.holds.push_back({.gradient = spec.gradients[migration.result.holds.size()]});
     }
 }
 
@@ -355,14 +357,12 @@ double mass_share(const MigrationLedger& ledger, Whereabouts where) {
 Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const MigrationSurroundings& around) {
     check(sample, spec);
     Migration migration;
-    migration.cell_length = length_along(sample.cell.h, spec);
+    const double length = length_along(sample.cell.h, spec);
     dem::World sorted = sample;
     dem::sort_along_curve(sorted);
     const std::vector<Vec3> weight = buoyant_weights(sorted, *spec.gravity, around.fluid);
     const GrainWater water(sorted, std::vector<std::uint8_t>(sorted.grains.size()), spec.direction, around.fluid);
-    WeighedCopy copy(
-        sorted, weight, {.softness = spec.softness}, load_over_weight(sorted, weight, water, spec)
-    );
+    WeighedCopy copy(sorted, weight, {.softness = spec.softness}, load_over_weight(sorted, weight, water, spec));
     migration.rested = rest_under_weight(copy, around.pulse).ended;
     migration.steps = copy.steps();
     migration.scale = copy.scale();
@@ -374,16 +374,19 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         ledger.diameter.push_back(2 * sorted.grains.radius[g]);
         ledger.mass.push_back(sorted.grains.mass[g]);
         ledger.start.push_back(copy.position(p));
-        ledger.to_exit.push_back(distance_to_exit(copy.position(p), spec, migration.cell_length));
+        ledger.to_exit.push_back(distance_to_exit(copy.position(p), spec, length));
         ledger.where.push_back(copy.bears_load(p) ? Whereabouts::Fixed : Whereabouts::Stayed);
-        migration.fines_mass += sorted.grains.mass[g];
+        migration.result.fines_mass += sorted.grains.mass[g];
+    }
+    for (const double mass : sorted.grains.mass) {
+        migration.solids_mass += mass;
     }
     ledger.end = ledger.before = ledger.start;
     ledger.departed.assign(ledger.size(), -1);
     ledger.departed_at.assign(ledger.size(), 0);
     ledger.left.assign(ledger.size(), -1);
     ledger.goes.assign(ledger.size(), 0);
-    migration.holds.push_back({.gradient = spec.gradients.front()});
+    migration.result.holds.push_back({.gradient = spec.gradients.front()});
     return migration;
 }
 
@@ -399,8 +402,12 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const MigrationSu
     }
 }
 
-dem::World migrated_sample(const Migration& migration) {
-    dem::World sample = migration.world;
+dem::World migrated_sample(const Migration& migration, const Pulse& pulse) {
+    constexpr double pushed_apart = 10; // in units of WeightScale::time
+    WeighedCopy weightless(migration.world, migration.scale, std::vector<Vec3>(migration.world.grains.size()));
+    weightless.load({}, 0);
+    weightless.hold(pushed_apart, pulse, "unload");
+    dem::World sample = weightless.whole();
     for (std::size_t g = 0; g < sample.grains.size(); ++g) {
         sample.grains.velocity[g] = sample.grains.spin[g] = {};
         sample.grains.motion[g] = grains::Motion::Free;

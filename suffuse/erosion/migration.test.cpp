@@ -1,25 +1,36 @@
-// Fines in true time: closed forms of one grain, and what many of them keep.
+// Fines in true time: closed forms of one grain and of lattices, and what is conserved.
 
 #include "suffuse/erosion/migration.hpp"
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/erosion/extraction.hpp"
 #include "suffuse/erosion/grain_water.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <numeric>
+#include <string>
 #include <vector>
 
 namespace suffuse::erosion {
 namespace {
 
-constexpr double fine_diameter = 0.1e-3, wide = 4e-3; // [m]
+constexpr double coarse_diameter = 1e-3; // [m]
+
+Migration migrate(const dem::World& sample, const MigrateSpec& spec, const flow::Fluid& fluid = {}) {
+    Migration migration = begin_migration(sample, spec, {fluid, {}});
+    while (!migration.over) {
+        migrate_on(migration, spec, {fluid, {}});
+    }
+    return migration;
+}
 
 /// A fine grain in a wide cell, and a coarse one far from it.
-dem::World one_in_wide_water(double diameter = fine_diameter) {
+dem::World one_in_wide_water(double diameter) {
+    constexpr double wide = 4e-3;
     dem::World world;
     world.cell.h = diagonal({wide, wide, wide});
     add_grain(world.grains, {0.1 * wide, 0.1 * wide, 0.5 * wide}, 0.3e-3, world.material.density);
@@ -28,16 +39,8 @@ dem::World one_in_wide_water(double diameter = fine_diameter) {
     return world;
 }
 
-[[maybe_unused]] Migration migrate(const dem::World& sample, const MigrateSpec& spec, const flow::Fluid& fluid = {}) {
-    Migration migration = begin_migration(sample, spec, {fluid, {}});
-    while (!migration.over) {
-        migrate_on(migration, spec, {fluid, {}});
-    }
-    return migration;
-}
-
 TEST(Migration, OfOneGrainInStillWaterIsItsSinkingAtTheVelocityOfStokes) {
-    for (const double diameter : {fine_diameter, fine_diameter / 2}) {
+    for (const double diameter : {0.1e-3, 0.05e-3}) {
         const MigrateSpec spec{.gradients = {1e-9}, .hold_at_most = 0.1, .gravity = Gravity{}};
         const flow::Fluid water;
         Migration migration = begin_migration(one_in_wide_water(diameter), spec, {water, {}});
@@ -50,8 +53,217 @@ TEST(Migration, OfOneGrainInStillWaterIsItsSinkingAtTheVelocityOfStokes) {
         const double velocity = (from.z - migration.ledger.end.front().z) / (migration.time - since);
         const double excess = dem::World{}.material.density - water.density;
         const double stokes = excess * gravity * diameter * diameter / (18 * water.viscosity);
-        std::printf("d %g v %g stokes %g ratio %g hindrance %g K %g dt %g steps %ld rows %zu t %g\n", diameter, velocity, stokes, velocity/stokes, migration.hindrance, migration.scale.factor, migration.time_step, (long)migration.steps, migration.rows.size(), migration.time);
-        EXPECT_NEAR(velocity / stokes, 1, 0.01);
+        EXPECT_NEAR(velocity / stokes, 1, 0.01); // walls and other periods are 20 and 40 diameters away
+        EXPECT_FALSE(migration.result.holds.front().ended) << "it never rests";
+        EXPECT_EQ(migration.ledger.where.front(), Whereabouts::Moving);
+    }
+}
+
+void add(dem::World& world, const Vec3& place, double diameter, bool is_fine) {
+    add_grain(world.grains, place, diameter / 2, world.material.density);
+    world.grains.fine.back() = is_fine ? 1 : 0;
+}
+
+/// A cubic lattice of coarse grains that just touch, and a fine one in each of its voids.
+dem::World cubic_lattice(double size_ratio) {
+    constexpr int edge = 2;
+    const double D = coarse_diameter;
+    dem::World world;
+    world.cell.h = diagonal({edge * D, edge * D, edge * D});
+    for (int k = 0; k < edge * edge * edge; ++k) {
+        const Vec3 place{k % edge + 0.5, k / edge % edge + 0.5, k / edge / edge + 0.5};
+        add(world, D * place, D, false);
+        add(world, D * (place + Vec3{0.5, 0.5, 0.5}), D / size_ratio, true);
+    }
+    return world;
+}
+
+TEST(Migration, OfGrainsTooSmallToSinkIsThatOfTheWaterBetweenThem) {
+    // All voids of the lattice see the same flow, whose velocity is Darcy's over the porosity.
+    const MigrateSpec spec{.gradients = {0.2}, .exit = 1.9e-3, .hold_at_most = 0.03, .gravity = Gravity{}};
+    const flow::Fluid water;
+    const Migration migration = migrate(cubic_lattice(100), spec);
+    const double porosity = 1 - pi / 6;
+    const double velocity = migration.result.rows.back().permeability * water.density * gravity *
+                            spec.gradients.front() / water.viscosity / porosity;
+    for (std::size_t k = 0; k < migration.ledger.size(); ++k) {
+        const double way = migration.ledger.end[k].z - migration.ledger.start[k].z;
+        const double time = migration.ledger.left[k] >= 0 ? migration.ledger.left[k] : migration.time;
+        EXPECT_NEAR(way / (velocity * time), 1, 0.05) << k; // they begin at rest, and end at the end of a leg
+    }
+    EXPECT_GT(eroded_mass(migration.ledger), 0);
+}
+
+/// The densest lattice of coarse grains that just touch; fine grains above each other in its octahedral voids.
+dem::World dense_lattice(double size_ratio) {
+    constexpr int edge = 2;
+    const double D = coarse_diameter, cube = std::sqrt(2.0) * D;
+    dem::World world;
+    world.cell.h = diagonal({edge * cube, edge * cube, edge * cube});
+    for (int k = 0; k < edge * edge * edge; ++k) {
+        const Vec3 corner{
+            static_cast<double>(k % edge), static_cast<double>(k / edge % edge), static_cast<double>(k / edge / edge)};
+        for (const Vec3& place : {Vec3{0, 0, 0}, Vec3{0.5, 0.5, 0}, Vec3{0.5, 0, 0.5}, Vec3{0, 0.5, 0.5}}) {
+            add(world, cube * (corner + place + Vec3{0.25, 0.25, 0.25}), D, false);
+            add(world, cube * (corner + place + Vec3{0.25, 0.25, 0.75}), D / size_ratio, true);
+        }
+    }
+    world.material.friction = 0;
+    world.material.rolling_stiffness = 0;
+    return world;
+}
+
+TEST(Migration, ThroughTouchingGrainsWithoutFrictionIsThatOfAllFinesBelowTheirSmallestHoleAndOfNoneAbove) {
+    // Three grains that touch leave a hole of 2/sqrt(3) - 1 of their diameter: a size ratio of 6.464.
+    // Straight up, a grain would balance below another.
+    const MigrateSpec spec{.gradients = {4}, .direction = {0.2, 0.1, 1}, .hold_at_most = 1.5, .gravity = Gravity{}};
+    const Migration small = migrate(dense_lattice(8), spec), large = migrate(dense_lattice(6), spec);
+    EXPECT_EQ(mass_share(small.ledger, Whereabouts::Eroded), 1);
+    EXPECT_EQ(mass_share(large.ledger, Whereabouts::Eroded), 0);
+    EXPECT_TRUE(large.result.holds.front().ended);
+}
+
+MigrateSpec through_cubic_lattice() {
+    return {.gradients = {0.1, 0.3}, .exit = 1.5e-3, .hold_at_most = 0.4, .gravity = Gravity{}};
+}
+
+TEST(Migration, KeepsTheMassOfAllGrains) {
+    const dem::World sample = cubic_lattice(5);
+    const Migration migration = migrate(sample, through_cubic_lattice());
+    const double eroded = eroded_mass(migration.ledger), before = total_mass(sample.grains);
+    EXPECT_GT(eroded, 0);
+    const dem::World after = migrated_sample(migration, {});
+    EXPECT_NEAR((total_mass(after.grains) + eroded) / before, 1, 1e-14);
+    EXPECT_EQ(migration.result.rows.back().eroded_mass, eroded);
+    EXPECT_EQ(migration.solids_mass, before);
+    for (std::size_t g = 0; g < after.grains.size(); ++g) {
+        EXPECT_EQ(after.grains.motion[g], grains::Motion::Free);
+        EXPECT_EQ(after.grains.velocity[g], Vec3{});
+    }
+}
+
+TEST(Migration, SpendsTheEnergyOfItsRows) {
+    const dem::World sample = cubic_lattice(5);
+    const flow::Fluid water;
+    const Migration migration = migrate(sample, through_cubic_lattice(), water);
+    double energy = 0, before = 0;
+    for (const MigrationRow& row : migration.result.rows) {
+        const double specific = water.density * gravity * row.gradient;
+        const double discharge = row.permeability * specific / water.viscosity * 4e-6; // through 2 mm x 2 mm
+        energy += specific * discharge * 2e-3 * (row.time - before);
+        before = row.time;
+        EXPECT_NEAR(row.energy / energy, 1, 1e-9);
+    }
+}
+
+TEST(Migration, LiftsNothingWithoutFlow) {
+    const Migration migration =
+        migrate(cubic_lattice(5), {.gradients = {1e-6}, .hold_at_most = 0.3, .gravity = Gravity{}});
+    for (std::size_t k = 0; k < migration.ledger.size(); ++k) {
+        EXPECT_LE(migration.ledger.end[k].z, migration.ledger.start[k].z + 1e-3 * migration.ledger.diameter[k]);
+    }
+    EXPECT_EQ(eroded_mass(migration.ledger), 0);
+}
+
+TEST(Migration, HasTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
+    const dem::World sample = cubic_lattice(5);
+    const MigrateSpec spec = through_cubic_lattice();
+    const int threads = thread_count();
+    set_thread_count(1);
+    const Migration one = migrate(sample, spec);
+    set_thread_count(3);
+    Migration three = begin_migration(sample, spec, {});
+    while (!three.over) {
+        Migration stopped = three;
+        int beats = 0;
+        const Pulse stop = [&](std::string_view, long long) {
+            if (++beats > 1) {
+                throw Interrupted("enough");
+            }
+        };
+        try {
+            migrate_on(stopped, spec, {{}, stop});
+        } catch (const Interrupted&) {
+            EXPECT_EQ(stopped.time, three.time) << "as it was before the call";
+        }
+        migrate_on(three, spec, {});
+    }
+    set_thread_count(threads);
+    EXPECT_EQ(one.ledger.end, three.ledger.end);
+    EXPECT_EQ(one.ledger.left, three.ledger.left);
+    EXPECT_EQ(one.energy, three.energy);
+    EXPECT_EQ(dem::state_hash(one.world), dem::state_hash(three.world));
+}
+
+TEST(Migration, EndsWithItsBudgetAndSaysSo) {
+    MigrateSpec spec = through_cubic_lattice();
+    spec.time_at_most = 0.05;
+    const Migration in_time = migrate(cubic_lattice(5), spec);
+    EXPECT_NEAR(in_time.time, 0.05, 0.001);
+    ASSERT_EQ(in_time.result.holds.size(), 1U);
+    EXPECT_FALSE(in_time.result.holds.front().ended);
+    spec.time_at_most.reset();
+    spec.steps_at_most = 1;
+    EXPECT_NEAR(migrate(cubic_lattice(5), spec).time, spec.still_for, 0.001) << "motion is looked at once";
+}
+
+TEST(Migration, GoesThroughItsGradientsOneAfterTheOther) {
+    const Migration migration =
+        migrate(dense_lattice(6), {.gradients = {1e-3, 2e-3, 1e-3}, .hold_at_most = 0.4, .gravity = Gravity{}});
+    ASSERT_EQ(migration.result.holds.size(), 3U);
+    double time = 0;
+    for (const MigrationHold& hold : migration.result.holds) {
+        EXPECT_TRUE(hold.ended);
+        EXPECT_EQ(hold.eroded_mass_share, 0);
+        time += hold.held_for;
+    }
+    EXPECT_NEAR(time, migration.time, 1e-12);
+    EXPECT_EQ(migration.result.holds[1].gradient, 2e-3);
+}
+
+std::string refusal(const dem::World& world, const MigrateSpec& spec, const flow::Fluid& fluid = {}) {
+    try {
+        begin_migration(world, spec, {fluid, {}});
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(Migration, NeedsWeightFinesACoarseSkeletonAndAnExitWithinTheCell) {
+    const dem::World world = cubic_lattice(5);
+    const MigrateSpec good{.gradients = {0.1}, .gravity = Gravity{}};
+    MigrateSpec spec = good;
+    spec.gravity.reset();
+    EXPECT_NE(refusal(world, spec).find("[gravity]"), std::string::npos);
+    spec = good;
+    spec.gradients = {0.1, 0};
+    EXPECT_NE(refusal(world, spec).find("above 0"), std::string::npos);
+    spec = good;
+    spec.exit = 2.1e-3;
+    EXPECT_NE(refusal(world, spec).find("outside the cell, which is 0.002 m long"), std::string::npos);
+    spec.exit = 1e-3;
+    spec.direction = {1, 1, 0};
+    EXPECT_NE(refusal(world, spec).find("at an angle"), std::string::npos);
+    EXPECT_NE(refusal(world, good, {.viscosity = 0}).find("must be positive"), std::string::npos);
+    dem::World all_fine = world, none_fine = world;
+    std::ranges::fill(all_fine.grains.fine, std::uint8_t{1});
+    std::ranges::fill(none_fine.grains.fine, std::uint8_t{0});
+    EXPECT_NE(refusal(all_fine, good).find("every grain is fine"), std::string::npos);
+    EXPECT_NE(refusal(none_fine, good).find("no grain is fine"), std::string::npos);
+}
+
+TEST(Migration, LeavesByThePlaneOfItsExit) {
+    const dem::World sample = cubic_lattice(100);
+    for (const double exit : {0.5e-3, 2e-3}) {
+        const Migration migration =
+            begin_migration(sample, {.gradients = {0.1}, .exit = exit, .gravity = Gravity{}}, {});
+        for (std::size_t k = 0; k < migration.ledger.size(); ++k) {
+            const double plane = migration.ledger.start[k].z + migration.ledger.to_exit[k] - exit;
+            EXPECT_NEAR(plane / 2e-3, std::round(plane / 2e-3), 1e-9) << "a period of the cell";
+            EXPECT_GT(migration.ledger.to_exit[k], 0);
+            EXPECT_LE(migration.ledger.to_exit[k], 2e-3);
+        }
     }
 }
 

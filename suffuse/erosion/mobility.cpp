@@ -18,7 +18,7 @@
 namespace suffuse::erosion {
 namespace {
 
-constexpr double hold_burst = 4; ///< in units of WeightScale::time; measured in docs/theory/weight.md
+constexpr double hold_burst = 4;    ///< in units of WeightScale::time; measured in docs/theory/weight.md
 constexpr int bursts_of_a_flow = 5; ///< after which it follows the fines
 
 /// Masses of the fines of the result, those for which `counts` holds over all.

@@ -10,8 +10,8 @@
 namespace suffuse::erosion {
 
 struct Rest {
-    bool ended = false;  ///< before the longest time that it was given
-    double took = 0;     ///< in units of WeightScale::time [-]
+    bool ended = false;               ///< before the longest time that it was given
+    double took = 0;                  ///< in units of WeightScale::time [-]
     std::vector<std::uint8_t> moving; ///< in the last of it: 1 for each of the copy's fines that was still on its way
 };
 

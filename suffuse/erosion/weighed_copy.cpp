@@ -16,7 +16,8 @@ constexpr double look_interval = 0.5;  ///< between two looks at who moves
 constexpr double awake_after_load = 2; ///< all are, so long after the load has changed
 constexpr double creep = 1e-3;         ///< above it a grain moves [diameters in a unit of time]
 
-constexpr double largest_drag_step = 0.2; ///< of the time in which drag brakes the quickest grain: the scheme is explicit
+constexpr double largest_drag_step =
+    0.2; ///< of the time in which drag brakes the quickest grain: the scheme is explicit
 
 /// For each grain whether a contact presses it that its weight alone does not explain.
 std::vector<std::uint8_t> find_load_bearing(const dem::World& world, const std::vector<Vec3>& weight) {

@@ -87,15 +87,15 @@ private:
     dem::World world_;
     contact::Contacts skeleton_; ///< between grains of which none will ever move
     contact::Contacts resting_;  ///< between others of which none moves now
-    std::vector<Vec3> weight_;  ///< [N]
+    std::vector<Vec3> weight_;   ///< [N]
     std::vector<std::uint32_t> fines_;
     std::vector<std::uint8_t> bears_load_;
     std::int64_t free_ = 0;
     WeightScale scale_;
     dem::StepCaches caches_;
     grains::GrainLoad load_;
-    double drag_ = 0;    ///< viscous, the largest of all grains [1/s]
-    double damping_ = 0; ///< local [-]
+    double drag_ = 0;       ///< viscous, the largest of all grains [1/s]
+    double damping_ = 0;    ///< local [-]
     double loaded_for_ = 0; ///< in units of scale().time
     dem::ComputedStep step_;
     std::int64_t steps_ = 0, undone_steps_ = 0;

@@ -44,6 +44,19 @@ TEST(WeighedCopy, HoldsFinesThatAContactPressesWithMoreThanAHundredTimesTheirWei
     }
 }
 
+TEST(WeighedCopy, GivesBackTheContactsOfItsSkeletonAndGoesOnFromThem) {
+    const dem::World world = one_on_another(101, 0);
+    const std::vector<Vec3> weight = buoyant_weights(world, {}, {});
+    WeighedCopy copy(world, weight, {});
+    EXPECT_EQ(copy.world().contacts.size(), 0U) << "both are held: their contact moves nothing";
+    const dem::World whole = copy.whole();
+    EXPECT_EQ(whole.contacts.size(), 1U);
+    WeighedCopy next(whole, copy.scale(), weight);
+    EXPECT_TRUE(next.bears_load(0));
+    EXPECT_EQ(next.free_count(), 0);
+    EXPECT_EQ(next.whole().contacts.size(), 1U);
+}
+
 /// Fines that fall between held grains of a lattice: some come to rest on others.
 dem::World fines_in_a_lattice() {
     constexpr int edge = 3;

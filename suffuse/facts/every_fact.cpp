@@ -1,5 +1,6 @@
 #include "suffuse/facts/every_fact.hpp"
 
+#include "suffuse/facts/migration.hpp"
 #include "suffuse/facts/mobility.hpp"
 #include "suffuse/facts/pass.hpp"
 #include "suffuse/facts/state.hpp"
@@ -249,6 +250,26 @@ const std::vector<Fact> of_remove = {
     {"passes", "", "one object a pass, below", ""},
 };
 
+const std::vector<Fact> of_migrate = {
+    {"model", "", "`with weight`", ""},
+    {"eroded_mass_share", "-", "mass that crossed `exit` / mass of the fines before", ""},
+    {"eroded_share_of_fines", "-", "the same", ""},
+    {"eroded_share_of_solids", "-", "mass that crossed `exit` / mass of all grains before", ""},
+    {"lodged_mass_share", "-", "of the fines' mass before: moved by half a diameter, and rests elsewhere", ""},
+    {"moving_mass_share", "-", "of that mass: was moving when the stage ended", ""},
+    {"fixed_mass_share", "-", "of that mass: carries the skeleton's forces, and was held", ""},
+    {"permeability_before", "m2", "along the flow, with all fines at rest", ""},
+    {"permeability_after", "m2", "of the last solution, among grains that do not go with the water", ""},
+    {"seconds", "s", "of the soil's own time, over all gradients", ""},
+    {"flow_energy", "J", "spent by the flow, the integral of rho g Q i L", ""},
+    {"holds", "", "one object a gradient, below", ""},
+    {"rested", "", "whether the fines came to rest under their weight before the flow", ""},
+    {"weight_scale", "-", "K, by which contacts are softer than the soil's", ""},
+    {"hindrance", "-", "drag over Stokes', of the median resting fine grain in the last solution", ""},
+    {"largest_overlap", "-", "over the smaller radius, of a grain that moved", ""},
+    {"flows", "-", "solutions of the flow", "", Kind::Computation},
+};
+
 const std::vector<Fact> of_removal_pass = {
     {"stress_loss", "-", "of the mean stress at constant volume", ""},
 };
@@ -357,6 +378,8 @@ std::vector<Group> make_groups() {
         {"`mobility`, an object a gradient", "mobility", joined(facts_of(mobility_step), of_mobility_step)},
         {"`erode`", "", of_erode},
         {"`remove`", "", of_remove},
+        {"`migrate` ([theory](theory/migration.md))", "", of_migrate},
+        {"`holds` of `migrate`, an object a gradient", "holds", facts_of(migration_hold)},
         {"`passes` of `erode` and `remove`, an object a pass", "passes", facts_of(pass)},
         {"`passes` of `erode`, beyond that", "passes", joined(facts_of(pass_with_water), of_pass_with_water)},
         {"`passes` of `remove`, beyond that", "passes", of_removal_pass},

@@ -106,6 +106,12 @@ constexpr std::array guides = {
         "own-mobile-sizes", "which sizes move", "Mass of each size of the fines that moves, at some gradients.",
         "[gravity], and a `detach` or `erode` stage"},
     Guide{
+        "own-migration", "fines that leave as the gradient rises",
+        "Mass that has crossed the exit, and permeability, at the end of each gradient.", "a `migrate` stage"},
+    Guide{
+        "own-migration-time", "fines that leave over time",
+        "The same over the soil's own time, a point a solution of the flow.", "a `migrate` stage"},
+    Guide{
         "own-throat-flux", "flux through a throat against its size",
         "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
         "flow stages.",

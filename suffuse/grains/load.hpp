@@ -8,7 +8,7 @@
 namespace suffuse::grains {
 
 struct GrainLoad {
-    std::vector<Vec3> force; ///< one row a grain, in the order of the grain table; empty means none [N]
+    std::vector<Vec3> force;  ///< one row a grain, in the order of the grain table; empty means none [N]
     std::vector<double> drag; ///< of each grain, over the step's viscous drag; empty means 1 [-]
 };
 

@@ -265,6 +265,9 @@ report::ReportData describe_run(
     for (figures::Figure& figure : draw_mobility(results.mobility)) {
         data.figures.push_back(std::move(figure));
     }
+    for (figures::Figure& figure : draw_migration(stages)) {
+        data.figures.push_back(std::move(figure));
+    }
     for (figures::Figure& figure : draw_fluxes(stages, story)) {
         data.figures.push_back(std::move(figure));
     }

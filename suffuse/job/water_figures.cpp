@@ -1,6 +1,7 @@
 #include "suffuse/job/water_figures.hpp"
 
 #include "suffuse/figures/figures_flux.hpp"
+#include "suffuse/figures/figures_migration.hpp"
 #include "suffuse/figures/figures_mobility.hpp"
 #include "suffuse/study/passes.hpp"
 
@@ -35,6 +36,22 @@ draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::Erosi
     std::vector<figures::Figure> figures;
     for (auto draw : {figures::flux_by_size, figures::flux_shares}) {
         if (std::optional<figures::Figure> figure = draw(states)) {
+            figures.push_back(std::move(*figure));
+        }
+    }
+    return figures;
+}
+
+std::vector<figures::Figure> draw_migration(const std::vector<record::FinishedStage>& stages) {
+    std::vector<figures::MigrationCurve> curves;
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.findings.migration && curves.size() < most_states) {
+            curves.push_back({stage.name(), *stage.findings.migration});
+        }
+    }
+    std::vector<figures::Figure> figures;
+    for (auto draw : {figures::migration_by_gradient, figures::migration_in_time}) {
+        if (std::optional<figures::Figure> figure = draw(curves)) {
             figures.push_back(std::move(*figure));
         }
     }

@@ -13,6 +13,9 @@ namespace suffuse::job {
 std::vector<figures::Figure>
 draw_fluxes(const std::vector<record::FinishedStage>& stages, const study::ErosionStory& story);
 
+/// Ours: what becomes of fines that migrate, of the first stages.
+std::vector<figures::Figure> draw_migration(const std::vector<record::FinishedStage>& stages);
+
 /// Ours: what gradients move of fines that have weight.
 std::vector<figures::Figure> draw_mobility(const std::vector<study::MobilityStory>& stories);
 

@@ -1,5 +1,6 @@
 #include "suffuse/plan/price_stage.hpp"
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/dem/inertial_number.hpp"
@@ -45,6 +46,9 @@ constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
 constexpr Range price_error{0.75, 1.35};
 constexpr Range cloud_seconds{1e-6, 1e-4}; // a grain; the most of a million, which fit no cache of a processor
 constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
+
+// Fines that migrate: steps of their rest, and while the median one would fall half its diameter; flows in a second.
+constexpr Range rest_of_fines{20'000, 80'000}, steps_of_a_fall{400, 1200}, flows_a_second{20, 250};
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
 constexpr std::int64_t most_drawn = 300'000;
@@ -261,6 +265,20 @@ public:
             .memory_a_grain = 2 * grain_memory,
             .basis = spec.passes == 1 ? "two new equilibria, after all requested grains have been removed"
                                       : fmt::format("two new equilibria after each of {} passes", spec.passes)};
+    }
+
+    StagePrice operator()(const erosion::MigrateSpec& spec) {
+        const auto holds = static_cast<double>(spec.gradients.size());
+        const double most = std::min(holds * spec.hold_at_most, spec.time_at_most.value_or(1e30));
+        const Range time{std::min(2 * holds * spec.still_for, most), most};
+        const double excess = std::max(1e-3, 1 - case_.fluid.density / variant_.material.density);
+        const double fall = std::sqrt(sample_.fines.median / (excess * gravity));
+        const double slower = std::sqrt(erosion::MigrateSpec{}.softness / spec.softness);
+        return {
+            .reference_steps = work_of_free_fines * (rest_of_fines + slower / fall * steps_of_a_fall * time),
+            .seconds = flows_a_second * time * one_flow(),
+            .memory_a_grain = 4 * grain_memory + flow_memory,
+            .basis = fmt::format("rest under weight, then {} gradients, each until motion ends", holds)};
     }
 
 private:

@@ -3,6 +3,7 @@
 
 #include "suffuse/casefile/case.hpp"
 #include "suffuse/erosion/loop.hpp"
+#include "suffuse/erosion/migration_result.hpp"
 #include "suffuse/record/samples.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 
@@ -18,6 +19,7 @@ struct StageFindings {
     std::vector<erosion::ProbeResult> probes;
     std::optional<erosion::MobilityResult> mobility; ///< of a detach stage with weight
     std::optional<erosion::ErosionResult> erosion;
+    std::optional<erosion::MigrationResult> migration;
     std::vector<triaxial::PathRow> curve;
     std::optional<flow::ThroatFlux> throat_flux;
 };

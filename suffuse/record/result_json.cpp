@@ -1,5 +1,6 @@
 #include "suffuse/record/result_json.hpp"
 
+#include "suffuse/facts/migration.hpp"
 #include "suffuse/facts/mobility.hpp"
 #include "suffuse/facts/pass.hpp"
 #include "suffuse/facts/test.hpp"
@@ -202,6 +203,25 @@ void from_json(const nlohmann::json& json, RemovalResult& of) {
     json.at("start_h").get_to(of.start_h);
     json.at("asked_mass").get_to(of.requested_mass);
 }
+SUFFUSE_MEMBERS(WeightScale, factor, acceleration, time, drag)
+SUFFUSE_MEMBERS(MigrationRow, time, gradient, permeability, eroded_mass, moving_mass, lodged_mass, energy)
+
+void to_json(nlohmann::json& json, const MigrationHold& of) {
+    json = record::facts_json(facts::migration_hold, of);
+}
+
+void from_json(const nlohmann::json& json, MigrationHold& of) {
+    record::load_facts(json, facts::migration_hold, of);
+}
+
+SUFFUSE_MEMBERS(MigrationResult, rows, holds, fines_mass)
+SUFFUSE_MEMBERS(
+    MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, where, goes, before
+)
+SUFFUSE_MEMBERS( // but for the world, which is saved as a state
+    Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance, solids_mass,
+    rested, over
+)
 } // namespace erosion
 
 } // namespace suffuse

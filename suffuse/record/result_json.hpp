@@ -3,6 +3,7 @@
 // all their bits. Results that users see are rows of suffuse/facts; what is left is listed in the source.
 
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/erosion/migration.hpp"
 #include "suffuse/erosion/pass_under_way.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
@@ -105,6 +106,17 @@ SUFFUSE_AS_JSON(ErosionResult)
 SUFFUSE_AS_JSON(Resettlement)
 SUFFUSE_AS_JSON(PassUnderWay)
 SUFFUSE_AS_JSON(RemovalResult)
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    Whereabouts, {{Whereabouts::Stayed, "stayed"},
+                  {Whereabouts::Lodged, "lodged"},
+                  {Whereabouts::Moving, "moving"},
+                  {Whereabouts::Eroded, "eroded"},
+                  {Whereabouts::Fixed, "fixed"}}
+)
+SUFFUSE_AS_JSON(MigrationRow)
+SUFFUSE_AS_JSON(MigrationHold)
+SUFFUSE_AS_JSON(MigrationResult)
+SUFFUSE_AS_JSON(Migration)
 } // namespace erosion
 
 } // namespace suffuse

@@ -19,6 +19,9 @@ void save_findings(const std::filesystem::path& folder, const StageFindings& fin
     if (findings.erosion) {
         results["erosion"] = *findings.erosion;
     }
+    if (findings.migration) {
+        results["migration"] = *findings.migration;
+    }
     if (!findings.curve.empty()) {
         results["curve"] = findings.curve;
     }
@@ -46,6 +49,9 @@ StageFindings read_findings(const std::filesystem::path& folder) {
         }
         if (results.contains("erosion")) {
             findings.erosion = results.at("erosion").get<erosion::ErosionResult>();
+        }
+        if (results.contains("migration")) {
+            findings.migration = results.at("migration").get<erosion::MigrationResult>();
         }
         if (results.contains("curve")) {
             results.at("curve").get_to(findings.curve);

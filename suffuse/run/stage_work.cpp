@@ -60,6 +60,8 @@ void do_stage(StageWork& work) {
         void operator()(const erosion::ErodeSpec& spec) const { do_erode(work, spec); }
 
         void operator()(const erosion::RemoveSpec& spec) const { do_remove(work, spec); }
+
+        void operator()(const erosion::MigrateSpec& spec) const { do_migrate(work, spec); }
     };
 
     std::visit(

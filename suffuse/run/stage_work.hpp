@@ -90,5 +90,6 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec);
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec);
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec);
 void do_remove(StageWork& work, const erosion::RemoveSpec& spec);
+void do_migrate(StageWork& work, const erosion::MigrateSpec& spec);
 
 } // namespace suffuse::run

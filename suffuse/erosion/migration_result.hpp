@@ -1,0 +1,87 @@
+#pragma once
+// What becomes of fines that migrate, as plain values.
+
+#include "suffuse/base/vec3.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace suffuse::erosion {
+
+/// A solution of the flow, and what happened until the next one.
+struct MigrationRow {
+    double time = 0;         ///< at its end, since the first gradient [s]
+    double gradient = 0;     ///< [-]
+    double permeability = 0; ///< along the flow, among the grains that do not go with it [m2]
+    double eroded_mass = 0;  ///< so far [kg]
+    double moving_mass = 0;  ///< [kg]
+    double lodged_mass = 0;  ///< that left its place and rests in another [kg]
+    double energy = 0;       ///< spent by the flow so far, integral of rho g Q i L dt [J]
+};
+
+/// What became of a gradient.
+struct MigrationHold {
+    double gradient = 0;                                 ///< [-]
+    double held_for = 0;                                 ///< true time [s]
+    bool ended = false;                                  ///< so few fines moved; else the time or the steps were over
+    double eroded_mass_share = 0, moving_mass_share = 0; ///< of the fines' mass, at its end [-]
+    double permeability = 0;                             ///< of the last flow in it [m2]
+};
+
+/// What has become of a fine grain.
+enum class Whereabouts {
+    Stayed, ///< within half a diameter of where it rested first
+    Lodged, ///< left its place and rests in another
+    Moving, ///< when the stage ended
+    Eroded, ///< crossed the exit
+    Fixed,  ///< carries the skeleton's forces: held
+};
+
+/// "stayed", "lodged", "moving", "eroded", "fixed".
+constexpr std::string_view name_of(Whereabouts where) {
+    switch (where) {
+    case Whereabouts::Stayed:
+        return "stayed";
+    case Whereabouts::Lodged:
+        return "lodged";
+    case Whereabouts::Moving:
+        return "moving";
+    case Whereabouts::Eroded:
+        return "eroded";
+    case Whereabouts::Fixed:
+        return "fixed";
+    }
+    return "";
+}
+
+/// All fines of the sample, those that left too. Every column has a row a grain, in the order of the sample's table.
+struct MigrationLedger {
+    std::vector<std::uint32_t> id;
+    std::vector<double> diameter, mass; ///< [m], [kg]
+    std::vector<Vec3> start, end;       ///< where it rested before the flow, and where it is, or was last [m]
+    std::vector<double> to_exit;        ///< along the flow from its start [m]
+    std::vector<double> departed;       ///< time at which it was half a diameter from its start; negative: never [s]
+    std::vector<double> departed_at;    ///< the gradient then [-]
+    std::vector<double> left;           ///< time at which it crossed the exit; negative: never [s]
+    std::vector<Whereabouts> where;
+    std::vector<std::uint8_t> goes; ///< 1: with the water, so that it does not resist it
+    std::vector<Vec3> before;       ///< where it was when motion was last looked at [m]
+
+    [[nodiscard]] std::size_t size() const { return id.size(); }
+};
+
+struct MigrationResult {
+    std::vector<MigrationRow> rows;
+    std::vector<MigrationHold> holds;
+    double fines_mass = 0; ///< of the sample before [kg]
+};
+
+/// Mass that crossed the exit [kg].
+double eroded_mass(const MigrationLedger& ledger);
+
+/// Of the mass of all fines, that of those whose whereabouts are these [-].
+double mass_share(const MigrationLedger& ledger, Whereabouts where);
+
+} // namespace suffuse::erosion

@@ -1,0 +1,29 @@
+#pragma once
+// What becomes of fines that migrate with the water.
+
+#include "suffuse/erosion/migration_result.hpp"
+#include "suffuse/facts/fact.hpp"
+
+#include <tuple>
+
+namespace suffuse::facts {
+
+/// A gradient: an object of `holds`.
+inline constexpr std::tuple migration_hold{
+    row<&erosion::MigrationHold::gradient>("gradient", "-", "hydraulic gradient"),
+    row<&erosion::MigrationHold::held_for>("held_seconds", "s", "how long it was held, in the soil's own time"),
+    row<&erosion::MigrationHold::ended>(
+        "ended", "", "whether motion ended, by `still`; false where a limit of time or steps cut the hold"
+    ),
+    row<&erosion::MigrationHold::eroded_mass_share>(
+        "eroded_mass_share", "-", "of the fines' mass before the stage: has crossed the exit by the end of the hold"
+    ),
+    row<&erosion::MigrationHold::moving_mass_share>(
+        "moving_mass_share", "-", "of that mass: moved in the last `still_for` of the hold"
+    ),
+    row<&erosion::MigrationHold::permeability>(
+        "permeability", "m2", "along the flow, of the last solution in the hold"
+    ),
+};
+
+} // namespace suffuse::facts
