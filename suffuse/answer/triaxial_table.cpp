@@ -142,7 +142,7 @@ std::optional<figures::PageTable> tabulate_tests(const study::RunResults& result
     for (std::size_t s = 0; s < traced.size(); ++s) {
         const casefile::Study& study = results.what->studies[s];
         for (std::size_t k = 0; k < study.stages.size(); ++k) {
-            const auto* test = std::get_if<TriaxialSpec>(&study.stages[k].spec);
+            const TriaxialSpec* const test = casefile::laboratory_test(study.stages[k].spec);
             for (const SweepPoint& point : traced[s].stages[k].points) {
                 const auto responses = responses_of(study, study.stages[k], point, results.stages);
                 if (test != nullptr && !responses.empty()) {

@@ -88,13 +88,13 @@ cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     // A sample widens at half of its axial rate and its dilatancy together: the servo must be able to follow, but no
     // axis may be faster than quasi-static.
     loading.servo.max_rate = fastest_held * state.strain_rate;
-    if (spec.path != Path::ConstantDeviator) {
-        loading.servo.response = servo_response;
-    }
     for (int a = 0; a < 3 && !shears(spec.path); ++a) {
         loading.axis[static_cast<std::size_t>(a)] = a == spec.axis    ? axial
                                                     : each_for_itself ? lateral_control(spec, a, start)
                                                                       : lateral;
+    }
+    if (spec.path != Path::ConstantDeviator && cell::holds_stress(loading)) {
+        loading.servo.response = servo_response;
     }
     return loading;
 }
