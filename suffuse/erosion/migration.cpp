@@ -147,7 +147,10 @@ double largest_overlap(const dem::World& world) {
 class Leg {
 public:
     Leg(const Migration& before, const MigrateSpec& spec, const MigrationSurroundings& around)
-        : spec_(spec), pulse_(around.pulse), ledger_(before.ledger), present_(find_present(ledger_)),
+        : spec_(spec), pulse_([&around, steps = before.steps](std::string_view part, long long more) {
+              beat(around.pulse, part, steps + more);
+          }),
+          ledger_(before.ledger), present_(find_present(ledger_)),
           water_(before.world, flags_of_rows(before.world, ledger_), spec.direction, around.fluid),
           copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
           start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
@@ -289,7 +292,7 @@ private:
     }
 
     const MigrateSpec& spec_;
-    const Pulse& pulse_;
+    Pulse pulse_; ///< with the steps of all legs
     MigrationLedger ledger_;
     std::vector<std::size_t> present_;
     GrainWater water_;
