@@ -280,7 +280,10 @@ TEST_F(Assess, ReadsTheColumnsThatAreNamed) {
     expect_out("sizes: A, in um; shares: C, read as percent passing, in %\n       0.063 mm         10 %\n");
     EXPECT_EQ(call("named.csv --size A:um --share 2 --show-reading --json"), 0);
     const auto shown = nlohmann::json::parse(out)["soils"][0];
-    EXPECT_EQ(shown["reading"], "sizes: A, in um; shares: B, read as retained on each sieve alone, in %");
+    EXPECT_EQ(shown["reading"]["size"], "A");
+    EXPECT_EQ(shown["reading"]["unit"], "um");
+    EXPECT_EQ(shown["reading"]["share"], "B");
+    EXPECT_EQ(shown["reading"]["kind"], "retained on each sieve alone");
     EXPECT_NEAR(shown["passing"][1].get<double>(), 0.28, 1e-12);
     EXPECT_EQ(call("named.csv --size A:um --passing C"), 0);
     expect_in("--size A:um --passing C", error); // so that the next command reads it, too

@@ -52,8 +52,9 @@ read_gradings_of(const std::string& path, const std::string& sample, const gradi
 std::string shown_reading(const gradings::GradingFile& file) {
     std::string text;
     for (const gradings::NamedGrading& soil : file.soils) {
-        text +=
-            fmt::format("{}{}{}\n", text.empty() ? "" : "\n", soil.name.empty() ? "" : soil.name + "\n", soil.reading);
+        text += fmt::format(
+            "{}{}{}\n", text.empty() ? "" : "\n", soil.name.empty() ? "" : soil.name + "\n", words_of(soil.reading)
+        );
         for (std::size_t k = 0; k < soil.grading.diameter.size(); ++k) {
             text += fmt::format(
                 "{:>12.6g} mm {:>10.6g} %\n", 1e3 * soil.grading.diameter[k], 100 * soil.grading.passing[k]

@@ -315,6 +315,11 @@ std::string write_playground(
     return file.string();
 }
 
+json reading_json(const gradings::SheetReading& reading, const json& remarks) {
+    return {{"size", reading.size}, {"unit", reading.size_unit},        {"share", reading.share},
+            {"kind", reading.kind}, {"share_unit", reading.share_unit}, {"remarks", remarks}};
+}
+
 /// Prints how each file is read.
 int show_readings(const AssessVerb& verb, const Console& console) {
     json soils = json::array(), remarks = json::array();
@@ -322,18 +327,20 @@ int show_readings(const AssessVerb& verb, const Console& console) {
         const gradings::GradingFile read = read_gradings_of(file, verb.sample, verb.reading);
         print_remarks(read, console);
         console.result(fmt::format("{}{}", verb.files.size() > 1 ? file + "\n" : "", shown_reading(read)));
+        json of_file = json::array();
         for (const Diagnostic& remark : read.remarks) {
-            remarks.push_back(remark_text(remark));
+            of_file.push_back(remark_text(remark));
         }
         for (const gradings::NamedGrading& soil : read.soils) {
             soils.push_back(
                 {{"file", file},
                  {"soil", soil.name},
-                 {"reading", soil.reading},
+                 {"reading", reading_json(soil.reading, of_file)},
                  {"diameter", soil.grading.diameter},
                  {"passing", soil.grading.passing}}
             );
         }
+        remarks.insert(remarks.end(), of_file.begin(), of_file.end());
     }
     console.document(json_text({{"soils", soils}, {"remarks", remarks}}));
     return Done;

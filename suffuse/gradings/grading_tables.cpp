@@ -137,17 +137,13 @@ std::vector<DerivedValue> derived_of(const TableNotes& notes, std::size_t column
     return own;
 }
 
-/// "sizes from `Sieve (mm)`, in mm; `Weight (%)`, retained on each sieve alone, in %".
-std::string describe(const SievedSoil& soil) {
+SheetReading reading_of(const SievedSoil& soil) {
     const char* const unit = soil.unit == ShareUnit::Mass       ? "mass"
                              : soil.unit == ShareUnit::Count    ? "number"
                              : soil.unit == ShareUnit::Fraction ? "shares of 1"
                              : soil.unit == ShareUnit::PerMille ? "\u2030"
                                                                 : "%";
-    return fmt::format(
-        "sizes: {}, in {}; shares: {}, read as {}, in {}", soil.size_heading.empty() ? "no heading" : soil.size_heading,
-        soil.size_unit, soil.heading.empty() ? "no heading" : soil.heading, words_of(soil.meaning), unit
-    );
+    return {soil.size_heading, soil.size_unit, soil.heading, std::string(words_of(soil.meaning)), unit};
 }
 
 } // namespace
@@ -160,7 +156,7 @@ std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, 
         auto points = find_passing(soil, problems);
         is_good = is_good && points;
         if (points) {
-            found.push_back({soil.name, std::move(*points), {}, describe(soil)});
+            found.push_back({soil.name, std::move(*points), {}, reading_of(soil)});
         }
     }
     return is_good ? std::optional(std::move(found)) : std::nullopt;

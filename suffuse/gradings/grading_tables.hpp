@@ -4,6 +4,7 @@
 #include "suffuse/gradings/derived_values.hpp"
 #include "suffuse/gradings/grading_curve.hpp"
 #include "suffuse/gradings/grading_rows.hpp"
+#include "suffuse/gradings/sheet_reading.hpp"
 #include "suffuse/gradings/sheet_tables.hpp"
 
 #include <optional>
@@ -17,7 +18,7 @@ struct SoilPoints {
     std::string name;
     std::vector<GradingPoint> points;
     std::vector<DerivedValue> derived;
-    std::string reading; ///< its columns, and as what they were read
+    SheetReading reading;
 };
 
 /// Of tables whose columns are known. Empty where something is wrong, all of which is reported.

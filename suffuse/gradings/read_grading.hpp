@@ -7,6 +7,7 @@
 
 #include "suffuse/gradings/grading_curve.hpp"
 #include "suffuse/gradings/reading_options.hpp"
+#include "suffuse/gradings/sheet_reading.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <memory>
@@ -19,7 +20,7 @@ namespace suffuse::gradings {
 struct NamedGrading {
     std::string name; ///< of the sample; empty where the file has one alone
     grains::Grading grading;
-    std::string reading; ///< which columns it came from, and as what they were read
+    SheetReading reading;
 };
 
 /// All curves of a text; empty where something is wrong, all of which is reported. Remarks are warnings. The first

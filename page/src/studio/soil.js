@@ -102,7 +102,8 @@ function choose(which) {
   $("sample-row").hidden = soil.samples.length < 2;
   $("sample").innerHTML = soil.samples.map((s, k) => `<option value="${k}">${escaped(s.soil)}</option>`).join("");
   $("sample").value = String(which);
-  $("reading").textContent = given.reading;
+  const { size, unit, share, kind, share_unit: shareUnit } = given.reading;
+  $("reading").textContent = `sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}, in ${shareUnit}`;
   draw();
   assess();
 }
