@@ -39,6 +39,8 @@ class Studio:
     def __init__(self, folder, *words):
         self.folder = folder
         environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        environment["TMPDIR"] = str(folder / "temporary")  # a studio that is killed leaves its files there
+        (folder / "temporary").mkdir(exist_ok=True)
         self.error = open(folder / "studio-error.txt", "w+")
         self.process = subprocess.Popen([PROGRAM, "studio", *words], cwd=folder, stdout=subprocess.PIPE,
                                         stderr=self.error, text=True, env=environment)
@@ -290,15 +292,6 @@ class Soils(InAFolder):
         by_studio = answer["result"]["soils"][0]
         self.assertTrue(by_studio.pop("soil").endswith(by_program.pop("soil")))
         self.assertEqual(by_studio, by_program)
-
-    def test_an_answer_takes_less_than_300_milliseconds(self):
-        studio = self.studio()
-        times = []
-        for _ in range(9):
-            begin = time.monotonic()
-            self.assertEqual(studio.post("/api/assess", {"curve": ("gap.csv", CURVE), "gradient": "0.3"}).status, 200)
-            times.append(time.monotonic() - begin)
-        self.assertLess(sorted(times)[4], 0.3, times)
 
     def test_a_misread_column_is_corrected_by_its_number(self):
         sheet = "a;b;c\n4;9;100\n2;9;60\n1;9;20\n0.5;9;0\n"
