@@ -284,6 +284,8 @@ TEST_F(Assess, ReadsTheColumnsThatAreNamed) {
     EXPECT_EQ(shown["reading"]["unit"], "um");
     EXPECT_EQ(shown["reading"]["share"], "B");
     EXPECT_EQ(shown["reading"]["kind"], "retained on each sieve alone");
+    EXPECT_EQ(shown["reading"]["share_unit"], "%");
+    EXPECT_TRUE(shown["reading"]["remarks"].is_array());
     EXPECT_NEAR(shown["passing"][1].get<double>(), 0.28, 1e-12);
     EXPECT_EQ(call("named.csv --size A:um --passing C"), 0);
     expect_in("--size A:um --passing C", error); // so that the next command reads it, too
