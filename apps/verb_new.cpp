@@ -45,11 +45,12 @@ struct NewVerb final : Verb {
               "suffuse new my-dyke --psd dyke.csv --flow level -i 12m/30m"
           ) {}
 
-    std::string given;      ///< folder
-    std::string from;       ///< template
-    std::string psd, sizes; ///< grading curve, and the part of it that is modeled
-    std::string fines;      ///< size below which grains are fine, with its unit
-    std::string sample;     ///< of a file of several curves
+    std::string given;           ///< folder, or a file of a grading curve
+    std::string folder_of_curve; ///< behind that file
+    std::string from;            ///< template
+    std::string psd, sizes;      ///< grading curve, and the part of it that is modeled
+    std::string fines;           ///< size below which grains are fine, with its unit
+    std::string sample;          ///< of a file of several curves
     ReadingFlags reading;
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
@@ -63,6 +64,7 @@ struct NewVerb final : Verb {
             "folder to write it to; the name of the template or of the curve unless given. A file of a grading curve "
             "instead is short for --psd FILE"
         );
+        options.argument("FOLDER", folder_of_curve, "behind such a file: the folder to write it to");
         const Option example =
             options.value("--from", from, "an example to start from").type("NAME").suggest(template_names);
         options
@@ -382,8 +384,13 @@ void expect_no_curve_options(const NewVerb& verb) {
 int NewVerb::act(const CommandLine&, const Console& console) const {
     std::error_code ignored;
     const bool is_short = from.empty() && psd.empty() && fs::is_regular_file(given, ignored); // new soil.csv
+    if (!is_short && !folder_of_curve.empty()) {
+        throw UsageError(
+            fmt::format("new: {} is no file of a grading curve; a second folder, {}, needs one", given, folder_of_curve)
+        );
+    }
     if (is_short || !psd.empty()) {
-        return new_from_soil(*this, {is_short ? given : psd, {}, {}, is_short ? "" : given}, console);
+        return new_from_soil(*this, {is_short ? given : psd, {}, {}, is_short ? folder_of_curve : given}, console);
     }
     expect_no_curve_options(*this);
     if (from.empty()) {

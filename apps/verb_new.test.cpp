@@ -248,6 +248,14 @@ TEST_F(NewSoil, ASurrogateStandsForASoilThatIsTooWide) {
     EXPECT_EQ(run_suffuse({"check", "wide-gravel", "--preset", "standard"}).code, 0);
 }
 
+TEST_F(NewSoil, AFolderMayStandBehindTheFileOfACurve) {
+    EXPECT_EQ(run_suffuse({"new", "gap.csv", "of gap"}).code, 0);
+    EXPECT_TRUE(exists(folder / "of gap/case.toml"));
+    const ProgramResult two_folders = run_suffuse({"new", "no.csv", "of no"});
+    EXPECT_EQ(two_folders.code, 2);
+    expect_in("no.csv is no file of a grading curve", two_folders.error);
+}
+
 TEST_F(NewSoil, ASurrogateHasTheSizeRatioOfItsSoilWhereThatIsInReach) {
     const nlohmann::json document =
         run_suffuse({"new", "gap.csv", "--surrogate", "--flow", "up", "-i", "0.3", "--json"}).json();

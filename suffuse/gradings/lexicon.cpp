@@ -188,6 +188,81 @@ constexpr auto topics = std::to_array<Words<Topic>>({
      "index,number,particle,grain,limit,specific,by,dry,mass,weight,fraction,f,and"},
 });
 
+// What docs/gradings.md calls each meaning.
+constexpr auto names_of_roles = std::to_array<Words<Role>>({
+    {Role::Size, "heading: size"},
+    {Role::Sieve, "heading: sieve"},
+    {Role::Number, "heading: number of a sieve"},
+    {Role::Phi, "heading: size in φ"},
+    {Role::Passing, "heading: passing"},
+    {Role::Retained, "heading: retained"},
+    {Role::Coarser, "heading: coarser, cumulative"},
+    {Role::Cumulative, "heading: cumulative"},
+    {Role::OnOne, "heading: of one sieve alone"},
+    {Role::Percent, "heading: percent"},
+    {Role::Fraction, "heading: fraction"},
+    {Role::Mass, "heading: mass"},
+    {Role::Count, "heading: number of grains"},
+    {Role::By, "heading: says that a share is by mass"},
+    {Role::Tare, "heading: empty sieve"},
+    {Role::And, "heading: sieve together with soil"},
+    {Role::Gross, "heading: mass of sieve and soil"},
+    {Role::Soil, "heading: soil"},
+    {Role::Sample, "heading: name of a sample"},
+    {Role::Depth, "heading: depth"},
+    {Role::Filler, "heading: without meaning"},
+});
+constexpr auto names_of_size_scales = std::to_array<Words<SizeScale>>({
+    {SizeScale::Millimeters, "unit: mm"},
+    {SizeScale::Micrometers, "unit: µm"},
+    {SizeScale::Meters, "unit: m"},
+    {SizeScale::Centimeters, "unit: cm"},
+    {SizeScale::Inches, "unit: inches"},
+    {SizeScale::Phi, "unit: φ"},
+    {SizeScale::SieveNumber, "unit: number of a sieve"},
+});
+constexpr auto names_of_share_units = std::to_array<Words<ShareUnit>>({
+    {ShareUnit::Percent, "unit: percent (also `%`)"},
+    {ShareUnit::Fraction, "unit: fraction"},
+    {ShareUnit::PerMille, "unit: per mille"},
+    {ShareUnit::Mass, "unit: mass"},
+});
+constexpr auto names_of_topics = std::to_array<Words<Topic>>({
+    {Topic::Pan, "row: pan"},
+    {Topic::Loss, "row: washed out, counted with the pan"},
+    {Topic::Total, "row: total"},
+    {Topic::Hydrometer, "title: sedimentation"},
+});
+constexpr auto names_of_results = std::to_array<Words<DerivedValue::Kind>>({
+    {DerivedValue::Kind::Uniformity, "result: Cu"},
+    {DerivedValue::Kind::Curvature, "result: Cc"},
+    {DerivedValue::Kind::Cobbles, "result: cobbles"},
+    {DerivedValue::Kind::Gravel, "result: gravel"},
+    {DerivedValue::Kind::Sand, "result: sand"},
+    {DerivedValue::Kind::Fines, "result: silt and clay"},
+    {DerivedValue::Kind::Silt, "result: silt"},
+    {DerivedValue::Kind::Clay, "result: clay"},
+    {DerivedValue::Kind::Largest, "result: largest size"},
+    {DerivedValue::Kind::Other, "result: not compared with the curve"},
+});
+
+template <class Meaning, std::size_t N, std::size_t M>
+void append_lists(
+    const std::array<Words<Meaning>, N>& names, const std::array<Words<Meaning>, M>& rows, std::vector<WordList>& lists
+) {
+    for (const Words<Meaning>& name : names) {
+        WordList& list = lists.emplace_back(WordList{name.words, {}});
+        for (const Words<Meaning>& row : rows) {
+            if (row.meaning == name.meaning) {
+                any_word(row.words, [&list](std::string_view word) {
+                    list.words.emplace_back(word.substr(0, word.find_last_not_of(' ') + 1));
+                    return false;
+                });
+            }
+        }
+    }
+}
+
 constexpr auto prefixes = std::to_array<SizePrefix>({
     {"<=", SizeSense::Finer},
     {"\u2264", SizeSense::Finer},
@@ -270,6 +345,16 @@ std::span<const SizePrefix> size_prefixes() {
 
 std::span<const std::string_view> range_marks() {
     return marks_of_ranges;
+}
+
+std::vector<WordList> word_lists() {
+    std::vector<WordList> lists;
+    append_lists(names_of_roles, roles, lists);
+    append_lists(names_of_size_scales, size_scales, lists);
+    append_lists(names_of_share_units, share_units, lists);
+    append_lists(names_of_topics, topics, lists);
+    append_lists(names_of_results, results, lists);
+    return lists;
 }
 
 } // namespace suffuse::gradings

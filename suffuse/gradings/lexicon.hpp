@@ -9,7 +9,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace suffuse::gradings {
 
@@ -82,5 +84,13 @@ std::span<const SizePrefix> size_prefixes();
 
 /// What stands between the bounds of a range of sizes.
 std::span<const std::string_view> range_marks();
+
+/// The words of one meaning, for docs/gradings.md.
+struct WordList {
+    std::string_view meaning;
+    std::vector<std::string> words; ///< in the order of the tables
+};
+
+std::vector<WordList> word_lists();
 
 } // namespace suffuse::gradings

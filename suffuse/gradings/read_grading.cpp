@@ -286,8 +286,9 @@ std::vector<NamedGrading> parse_gradings(
     if (const auto text = decode_sheet(source, own)) {
         gradings = parse_text(text, source->name, ends, options, own);
         if (gradings.empty() && options.is_empty()) {
-            const std::string command = find_command(text, ends);
-            command.empty() ? void() : own.advise("or say how to read it: " + command);
+            if (const std::string command = find_command(text, ends); !command.empty()) {
+                own.advise("or say how to read it: " + command);
+            }
         }
     }
     problems.take_over(own);
