@@ -32,8 +32,9 @@ def module_of(mutant):
 def stamp_of(mutant):
     """Of the change and of all that its module's tests are made from."""
     digest = hashlib.sha256(json.dumps(mutant, sort_keys=True).encode())
-    for path in sorted((ROOT / "suffuse" / module_of(mutant)).iterdir()):
-        digest.update(path.name.encode() + path.read_bytes())
+    for folder in ("suffuse/" + module_of(mutant), "tests/sheets"):
+        for path in sorted(path for path in (ROOT / folder).rglob("*") if path.is_file()):
+            digest.update(path.name.encode() + path.read_bytes())
     return digest.hexdigest()
 
 

@@ -196,9 +196,10 @@ TEST(ReadTest, StressesThatBelongTogetherShowWhichAreEffective) {
     expect_words("may be effective or total", refusal(head + "0,0,100,100,200\n1,60,110,90,200\n", Triaxial));
     expect_words("they are s and t", refusal(head + "0,0,100,100,200\n1,60,160,100,200\n", Triaxial)); // p = s3 + q
     expect_words("contradict one another", refusal(head + "0,0,100,100,200\n1,60,500,100,200\n", Triaxial));
+    expect_words("contradict one another", refusal(head + "0,0,100,100,200\n1,60,132,100,200\n", Triaxial)); // 120
     expect_words(
         "they may be half the difference and half the sum",
-        refusal("eps1 [%],epsv [%],q [kPa],p [kPa],e\n0,0,0,100,1\n1,1,50,150,0.98\n", Triaxial)
+        refusal("eps1 [%],epsv [%],q [kPa],p [kPa],e\n0,0,0,100,1\n1,1,50,151,0.98\n", Triaxial)
     );
     expect_words(
         "compression seems to be negative", refusal("eps1 [%],q [kPa],p [kPa]\n0,0,-100\n-1,-60,-120\n", Triaxial)
