@@ -7,6 +7,7 @@
 #include "suffuse/contact/contacts.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace suffuse::contact {
