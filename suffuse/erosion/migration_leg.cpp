@@ -1,0 +1,205 @@
+#include "suffuse/erosion/migration_leg.hpp"
+
+#include "suffuse/base/quantile.hpp"
+#include "suffuse/dem/inspect.hpp"
+#include "suffuse/dem/order.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace suffuse::erosion {
+namespace {
+
+constexpr double old_share = 0.01;   ///< of the fines' mass that has moved since the flow was solved
+constexpr double burst_travel = 0.1; ///< of the median fine grain with the water, in a burst [diameters]
+
+double median_diameter(const grains::Grains& grains) {
+    std::vector<double> diameter;
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        if (grains.fine[g] != 0) {
+            diameter.push_back(2 * grains.radius[g]);
+        }
+    }
+    return upper_quantile(std::move(diameter), 0.5);
+}
+
+/// A row a grain of the world: 1 where it goes with the water.
+std::vector<std::uint8_t> flags_of_rows(const dem::World& world, const MigrationLedger& ledger) {
+    std::vector<std::uint8_t> goes(world.grains.size(), 0);
+    const std::vector<std::size_t> present = find_present(ledger);
+    for (std::size_t g = 0, p = 0; g < goes.size(); ++g) {
+        if (world.grains.fine[g] != 0) {
+            goes[g] = ledger.goes[present[p++]];
+        }
+    }
+    return goes;
+}
+
+/// Of contacts of grains that move, over the smaller radius [-].
+double largest_overlap(const dem::World& world) {
+    const grains::Grains& grains = world.grains;
+    double largest = 0;
+    for (const dem::ContactView& contact : dem::inspect_contacts(world)) {
+        if (grains.motion[contact.i] == grains::Motion::Free || grains.motion[contact.j] == grains::Motion::Free) {
+            const double smaller = std::min(grains.radius[contact.i], grains.radius[contact.j]);
+            largest = std::max(largest, contact.overlap / smaller);
+        }
+    }
+    return largest;
+}
+
+} // namespace
+
+std::vector<std::size_t> find_present(const MigrationLedger& ledger) {
+    std::vector<std::size_t> present;
+    for (std::size_t k = 0; k < ledger.size(); ++k) {
+        if (ledger.where[k] != Whereabouts::Eroded) {
+            present.push_back(k);
+        }
+    }
+    return present;
+}
+
+double strength(const MigrateSpec& spec) {
+    return spec.gravity->acceleration / suffuse::gravity;
+}
+
+Leg::Leg(const Migration& before, const MigrateSpec& spec, const MigrationSurroundings& around)
+    : spec_(spec), pulse_([&around, steps = before.steps](std::string_view part, long long more) {
+          beat(around.pulse, part, steps + more);
+      }),
+      ledger_(before.ledger), present_(find_present(ledger_)),
+      water_(before.world, flags_of_rows(before.world, ledger_), spec.direction, around.fluid),
+      copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
+      start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
+      pull_(before.result.holds.back().gradient * strength(spec)), force_(before.world.grains.size()),
+      rate_(before.world.grains.size()) {
+    const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
+    const double flow = specific * water_.permeability() / around.fluid.viscosity;
+    power_ = specific * flow * cell::volume(before.world.cell);
+    for (std::uint32_t g = 0; g < rate_.size(); ++g) {
+        rate_[g] = water_.rate(g);
+    }
+    const std::size_t any = copy_.fines().front();
+    const double d = median_diameter(before.world.grains);
+    const double sinking =
+        norm(copy_.weight(copy_.fines().front())) / before.world.grains.mass[any] /
+        (water_.hindrance() *
+         stokes_rate(d, before.world.material.density * sphere_volume(d / 2), around.fluid.viscosity));
+    burst_time_ = burst_travel * d / (flow / dem::porosity(before.world) + sinking);
+}
+
+void Leg::go(double time, double most) {
+    const double begin = copy_.world().clock.time;
+    do {
+        burst(std::min(burst_time_, most - took_));
+        took_ = (copy_.world().clock.time - begin) * to_true_;
+        note_travel(time + took_);
+    } while (took_ < most * nearly_whole && !is_flow_old());
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        ledger_.goes[present_[p]] = goes_now(p) ? 1 : 0;
+    }
+}
+
+void Leg::enter(Migration& migration) {
+    migration.time += took_;
+    migration.energy += power_ * took_;
+    migration.steps += copy_.steps();
+    migration.time_step = copy_.time_step() * to_true_;
+    migration.hindrance = water_.hindrance();
+    migration.result.holds.back().held_for += took_;
+    migration.result.holds.back().permeability = water_.permeability();
+    note_whereabouts();
+    migration.ledger = ledger_;
+    MigrationRow row{
+        .time = migration.time,
+        .gradient = migration.result.holds.back().gradient,
+        .permeability = water_.permeability(),
+        .eroded_mass = eroded_mass(ledger_),
+        .energy = migration.energy};
+    for (std::size_t k = 0; k < ledger_.size(); ++k) {
+        row.moving_mass += ledger_.where[k] == Whereabouts::Moving ? ledger_.mass[k] : 0;
+        row.lodged_mass += ledger_.where[k] == Whereabouts::Lodged ? ledger_.mass[k] : 0;
+    }
+    migration.result.rows.push_back(row);
+    migration.world = copy_.whole();
+    migration.largest_overlap = std::max(migration.largest_overlap, largest_overlap(migration.world));
+    std::vector<std::uint32_t> eroded;
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        if (ledger_.where[present_[p]] == Whereabouts::Eroded) {
+            eroded.push_back(copy_.fines()[p]);
+        }
+    }
+    if (!eroded.empty()) {
+        dem::remove_grains(migration.world, eroded);
+    }
+}
+
+bool Leg::has_moved(std::size_t p) const {
+    return norm(copy_.position(p) - start_[p]) > spec_.solve_after * diameter(p);
+}
+
+/// Velocity of the water at a grain [m/s]: where it stands, that which does not push it; where it has moved, or goes
+/// with the water, that in the pore where it is.
+Vec3 Leg::water_at(std::size_t p) const {
+    const bool stands = !goes(p) && !has_moved(p);
+    return pull_ * (stands ? water_.velocity(copy_.fines()[p]) : water_.velocity_at(copy_.position(p)));
+}
+
+/// Whether a grain goes with the water: it begins to where it is nearly as quick, and ceases where it comes to rest, at
+/// half the speed.
+bool Leg::goes_now(std::size_t p) const {
+    const Vec3 water = water_at(p), own = copy_.world().grains.velocity[copy_.fines()[p]] / to_true_;
+    return goes(p) ? norm(own) > 0.5 * (1 - spec_.with_water) * norm(water)
+                   : !copy_.bears_load(p) && norm(own - water) < spec_.with_water * norm(water);
+}
+
+/// For a true time [s].
+void Leg::burst(double time) {
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::uint32_t g = copy_.fines()[p];
+        force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);
+    }
+    copy_.immerse(force_, rate_);
+    copy_.hold(time / copy_.true_time(), pulse_, "migrate");
+}
+
+void Leg::note_travel(double time) {
+    const Vec3 along = spec_.direction / norm(spec_.direction);
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::size_t k = present_[p];
+        const Vec3 way = copy_.position(p) - ledger_.start[k];
+        if (ledger_.departed[k] < 0 && norm(way) > departs * diameter(p)) {
+            ledger_.departed[k] = time;
+            ledger_.departed_at[k] = pull_ / strength(spec_);
+        }
+        if (ledger_.left[k] < 0 && dot(way, along) >= ledger_.to_exit[k]) {
+            ledger_.left[k] = time;
+        }
+    }
+}
+
+bool Leg::is_flow_old() const {
+    double old = 0, all = 0;
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::size_t k = present_[p];
+        all += ledger_.mass[k];
+        old += has_moved(p) || goes_now(p) != goes(p) ? ledger_.mass[k] : 0;
+    }
+    return old > old_share * all;
+}
+
+void Leg::note_whereabouts() {
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::size_t k = present_[p];
+        ledger_.end[k] = copy_.position(p);
+        const double speed = norm(copy_.position(p) - start_[p]) / took_;
+        ledger_.where[k] = copy_.bears_load(p)                                               ? Whereabouts::Fixed
+                           : ledger_.left[k] >= 0                                            ? Whereabouts::Eroded
+                           : speed > moves * diameter(p) / spec_.still_for                   ? Whereabouts::Moving
+                           : norm(ledger_.end[k] - ledger_.start[k]) > departs * diameter(p) ? Whereabouts::Lodged
+                                                                                             : Whereabouts::Stayed;
+    }
+}
+
+} // namespace suffuse::erosion

@@ -1,0 +1,62 @@
+#pragma once
+// What moves in a migration from one solution of the flow to the next.
+
+#include "suffuse/erosion/grain_water.hpp"
+#include "suffuse/erosion/migration.hpp"
+#include "suffuse/erosion/weighed_copy.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace suffuse::erosion {
+
+constexpr double departs = 0.5;           ///< from where it rested [diameters]
+constexpr double moves = 0.1;             ///< within `still_for`: a grain that is on its way [diameters]
+constexpr double nearly_whole = 1 - 1e-9; ///< of a time
+
+/// Fines that are still there, by their number p in a copy: their rows of the ledger.
+std::vector<std::size_t> find_present(const MigrationLedger& ledger);
+
+/// Factor between a hydraulic gradient under this gravity and one of the flow's, which is of standard gravity.
+double strength(const MigrateSpec& spec);
+
+/// On copies, so that it may be stopped.
+class Leg {
+public:
+    Leg(const Migration& before, const MigrateSpec& spec, const MigrationSurroundings& around);
+
+    /// Moves until the flow is old, for at most `most` of true time [s].
+    void go(double time, double most);
+
+    /// Enters what has happened.
+    void enter(Migration& migration);
+
+private:
+    [[nodiscard]] double diameter(std::size_t p) const { return ledger_.diameter[present_[p]]; }
+
+    [[nodiscard]] bool goes(std::size_t p) const { return ledger_.goes[present_[p]] != 0; }
+
+    [[nodiscard]] bool has_moved(std::size_t p) const;
+    [[nodiscard]] Vec3 water_at(std::size_t p) const;
+    [[nodiscard]] bool goes_now(std::size_t p) const;
+    [[nodiscard]] bool is_flow_old() const;
+    void burst(double time);
+    void note_travel(double time);
+    void note_whereabouts();
+
+    const MigrateSpec& spec_;
+    Pulse pulse_; ///< with the steps of all legs
+    MigrationLedger ledger_;
+    std::vector<std::size_t> present_;
+    GrainWater water_;
+    WeighedCopy copy_;
+    std::vector<Vec3> start_;          ///< fines where the flow was solved [m]
+    double to_true_;                   ///< time of the copy to true time [-]
+    double pull_;                      ///< the gradient, for a flow of standard gravity [-]
+    double power_ = 0;                 ///< of the flow [W]
+    double burst_time_ = 0, took_ = 0; ///< true [s]
+    std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
+    std::vector<double> rate_;         ///< [1/s]
+};
+
+} // namespace suffuse::erosion
