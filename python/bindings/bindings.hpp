@@ -15,6 +15,7 @@ void bind_preparation(pybind11::module_& m); ///< what makes a sample; after bin
 void bind_pores(pybind11::module_& m);       ///< pore networks and constrictions
 void bind_water(pybind11::module_& m);       ///< flow; after bind_pores
 void bind_mobility(pybind11::module_& m);    ///< which gradients move fines; after bind_world
+void bind_migration(pybind11::module_& m);   ///< fines that travel; after bind_world
 void bind_own_rule(pybind11::module_& m);    ///< what a rule of Python's is given; before bind_erosion
 void bind_erosion(pybind11::module_& m);     ///< passes of the erosion; after bind_world
 void bind_resolved(pybind11::module_& m);    ///< flow on a grid

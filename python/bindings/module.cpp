@@ -43,6 +43,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_pores(m);
     python::bind_water(m);
     python::bind_mobility(m);
+    python::bind_migration(m);
     python::bind_own_rule(m);
     python::bind_erosion(m);
     python::bind_resolved(m);

@@ -4,7 +4,7 @@
 #include "suffuse/erosion/migration.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/record/result_json.hpp"
-#include "suffuse/run/mobility_record.hpp"
+#include "suffuse/run/migration_numbers.hpp"
 #include "suffuse/run/stage_work.hpp"
 
 #include <fmt/format.h>
@@ -17,8 +17,6 @@
 
 namespace suffuse::run {
 namespace {
-
-using nlohmann::json;
 
 /// A time, empty where it never came.
 std::string time_field(double time) {
@@ -72,66 +70,6 @@ void write_ledger(const std::filesystem::path& folder, const erosion::Migration&
     table.finish();
 }
 
-json numbers_of(const erosion::Migration& migration) {
-    using erosion::Whereabouts;
-    const erosion::MigrationResult& result = migration.result;
-    const double eroded = erosion::eroded_mass(migration.ledger);
-    return {
-        {"model", model_name(true)},
-        {"eroded_mass_share", eroded / result.fines_mass},
-        {"eroded_share_of_fines", eroded / result.fines_mass},
-        {"eroded_share_of_solids", eroded / migration.solids_mass},
-        {"lodged_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Lodged)},
-        {"moving_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Moving)},
-        {"fixed_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Fixed)},
-        {"permeability_before", result.rows.front().permeability},
-        {"permeability_after", result.rows.back().permeability},
-        {"seconds", migration.time},
-        {"flow_energy", migration.energy},
-        {"holds", result.holds},
-        {"rested", migration.rested},
-        {"weight_scale", migration.scale.factor},
-        {"hindrance", migration.hindrance},
-        {"largest_overlap", migration.largest_overlap},
-        {"flows", result.rows.size()},
-        {"steps", migration.steps}};
-}
-
-/// Says what the user must know to read the numbers.
-void note_migration(StageWork& work, const erosion::MigrateSpec& spec, const erosion::Migration& migration) {
-    constexpr double wide_overlap = 0.05;
-    const std::vector<erosion::MigrationHold>& holds = migration.result.holds;
-    const auto cut = std::ranges::find_if(holds, [](const erosion::MigrationHold& hold) { return !hold.ended; });
-    if (cut != holds.end()) {
-        work.warnings.push_back(fmt::format(
-            "{}: at i = {:.3g} motion had not ended after {:.3g} s: {:.2g} % of the fines' mass still moved, and what "
-            "erodes from there on is a lower bound; a longer `hold_at_most` holds it longer",
-            work.place(), cut->gradient, cut->held_for, 100 * cut->moving_mass_share
-        ));
-    }
-    if (holds.size() < spec.gradients.size() && holds.back().held_for > 0 && !holds.back().ended) {
-        work.warnings.push_back(fmt::format(
-            "{}: `time_at_most` or `steps_at_most` ended the stage at i = {:.3g}; the {} gradients after it were not "
-            "applied",
-            work.place(), holds.back().gradient, spec.gradients.size() - holds.size()
-        ));
-    }
-    if (!migration.rested) {
-        work.warnings.push_back(fmt::format(
-            "{}: the fines had not come to rest under their weight when the flow began: some fall through the skeleton "
-            "without any flow",
-            work.place()
-        ));
-    }
-    if (migration.largest_overlap > wide_overlap) {
-        work.warnings.push_back(fmt::format(
-            "{}: fines that moved overlapped by up to {:.2g} % of a radius: contacts are too soft; take a `softness` "
-            "below {:.2g}",
-            work.place(), 100 * migration.largest_overlap, spec.softness * wide_overlap / migration.largest_overlap
-        ));
-    }
-}
-
 } // namespace
 
 void do_migrate(StageWork& work, const erosion::MigrateSpec& spec) {
@@ -149,10 +87,12 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& spec) {
     }
     work.world = erosion::migrated_sample(migration, around.pulse);
     work.history.record(work.world, true);
-    work.numbers.update(numbers_of(migration));
+    work.numbers.update(migration_numbers(migration));
     work.time_step = migration.time_step;
     work.count_steps(migration.steps);
-    note_migration(work, spec, migration);
+    for (const std::string& remark : migration_remarks(migration, spec)) {
+        work.warnings.push_back(work.place() + ": " + remark);
+    }
     write_rows(work.folder, migration.result);
     write_ledger(work.folder, migration, spec.direction);
     work.findings.migration = std::move(migration.result);

@@ -1,0 +1,72 @@
+#include "suffuse/run/migration_numbers.hpp"
+
+#include "suffuse/record/result_json.hpp"
+#include "suffuse/run/mobility_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace suffuse::run {
+
+nlohmann::json migration_numbers(const erosion::Migration& migration) {
+    using erosion::Whereabouts;
+    const erosion::MigrationResult& result = migration.result;
+    const double eroded = erosion::eroded_mass(migration.ledger);
+    return {
+        {"model", model_name(true)},
+        {"eroded_mass_share", eroded / result.fines_mass},
+        {"eroded_share_of_fines", eroded / result.fines_mass},
+        {"eroded_share_of_solids", eroded / migration.solids_mass},
+        {"lodged_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Lodged)},
+        {"moving_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Moving)},
+        {"fixed_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Fixed)},
+        {"permeability_before", result.rows.front().permeability},
+        {"permeability_after", result.rows.back().permeability},
+        {"seconds", migration.time},
+        {"flow_energy", migration.energy},
+        {"holds", result.holds},
+        {"rested", migration.rested},
+        {"weight_scale", migration.scale.factor},
+        {"hindrance", migration.hindrance},
+        {"largest_overlap", migration.largest_overlap},
+        {"flows", result.rows.size()},
+        {"steps", migration.steps}};
+}
+
+std::vector<std::string> migration_remarks(const erosion::Migration& migration, const erosion::MigrateSpec& spec) {
+    std::vector<std::string> remarks;
+    constexpr double wide_overlap = 0.05;
+    const std::vector<erosion::MigrationHold>& holds = migration.result.holds;
+    const auto cut = std::ranges::find_if(holds, [](const erosion::MigrationHold& hold) { return !hold.ended; });
+    if (cut != holds.end()) {
+        remarks.push_back(fmt::format(
+            "at i = {:.3g} motion had not ended after {:.3g} s: {:.2g} % of the fines' mass still moved, and what "
+            "erodes from there on is a lower bound; a longer `hold_at_most` holds it longer",
+            cut->gradient, cut->held_for, 100 * cut->moving_mass_share
+        ));
+    }
+    if (holds.size() < spec.gradients.size() && holds.back().held_for > 0 && !holds.back().ended) {
+        remarks.push_back(fmt::format(
+            "`time_at_most` or `steps_at_most` ended the stage at i = {:.3g}; the {} gradients after it were not "
+            "applied",
+            holds.back().gradient, spec.gradients.size() - holds.size()
+        ));
+    }
+    if (!migration.rested) {
+        remarks.push_back(
+            "the fines had not come to rest under their weight when the flow began: some fall through the skeleton "
+            "without any flow"
+        );
+    }
+    if (migration.largest_overlap > wide_overlap) {
+        remarks.push_back(fmt::format(
+            "fines that moved overlapped by up to {:.2g} % of a radius: contacts are too soft; take a `softness` "
+            "below {:.2g}",
+            100 * migration.largest_overlap, spec.softness * wide_overlap / migration.largest_overlap
+        ));
+    }
+    return remarks;
+}
+
+} // namespace suffuse::run
