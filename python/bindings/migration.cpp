@@ -74,8 +74,8 @@ py::dict to_dict(const erosion::Migration& migration) {
 
 py::dict migrate(
     WorldHandle& w, const Numbers& gradients, const Direction& direction, const Direction& down,
-    const QuantityOrNone& exit, const Quantity& hold_at_most, const Quantity& still, const Quantity& still_for,
-    const Quantity& softness, const Quantity& with_water, const Quantity& solve_after,
+    const QuantityOrNone& exit, const std::string& skeleton, const Quantity& hold_at_most, const Quantity& still,
+    const Quantity& still_for, const Quantity& softness, const Quantity& with_water, const Quantity& solve_after,
     const QuantityOrNone& time_at_most, const std::optional<std::int64_t>& steps_at_most, const Quantity& acceleration,
     const flow::Fluid& fluid, const CallableOrNone& on_progress
 ) {
@@ -85,6 +85,7 @@ py::dict migrate(
     spec.gradients = numbers_of(gradients, "gradients");
     spec.direction = direction_of(direction);
     spec.exit = optional_value_of(key("exit"), exit, "exit");
+    spec.skeleton = word_of(skeleton, casefile::names::skeleton, "skeleton");
     spec.hold_at_most = value(hold_at_most, "hold_at_most");
     spec.still = value(still, "still");
     spec.still_for = value(still_for, "still_for");
@@ -98,8 +99,9 @@ py::dict migrate(
     spec.gravity = {direction_of(down), value_of(key_of("gravity", "acceleration"), acceleration, "acceleration")};
     Stepping call(w);
     Attention attention(on_progress, call);
-    const erosion::MigrationSurroundings around{
-        fluid, [&](std::string_view part, long long steps) { attention.beat(part, steps); }};
+    erosion::Surroundings around;
+    around.fluid = fluid;
+    around.pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
     const dem::World sample = begin_copy(call);
     erosion::Migration migration;
     dem::World after;
@@ -125,8 +127,8 @@ void bind_migration(py::module_& m) {
     const erosion::MigrateSpec usual;
     type.def(
         "migrate", &migrate, py::arg("gradients"), py::kw_only(), py::arg("direction") = "z", py::arg("down") = "-z",
-        py::arg("exit") = py::none(), py::arg("hold_at_most") = usual.hold_at_most, py::arg("still") = usual.still,
-        py::arg("still_for") = usual.still_for, py::arg("softness") = usual.softness,
+        py::arg("exit") = py::none(), py::arg("skeleton") = "held", py::arg("hold_at_most") = usual.hold_at_most,
+        py::arg("still") = usual.still, py::arg("still_for") = usual.still_for, py::arg("softness") = usual.softness,
         py::arg("with_water") = usual.with_water, py::arg("solve_after") = usual.solve_after,
         py::arg("time_at_most") = py::none(), py::arg("steps_at_most") = py::none(), py::arg("acceleration") = gravity,
         py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("on_progress") = py::none(),
@@ -144,6 +146,7 @@ void bind_migration(py::module_& m) {
              {"stage.migrate", "direction"},
              {"gravity", "down"},
              {"stage.migrate", "exit"},
+             {"stage.migrate", "skeleton"},
              {"stage.migrate", "hold_at_most"},
              {"stage.migrate", "still"},
              {"stage.migrate", "still_for"},

@@ -382,8 +382,7 @@ void fields(V& v, erosion::MigrateSpec& s) {
     v.field("gradients", s.gradients);
     v.direction(s.direction);
     v.field("exit", s.exit);
-    auto skeleton = names::Skeleton::Held;
-    v.choice("skeleton", skeleton, names::skeleton);
+    v.choice("skeleton", s.skeleton, names::skeleton);
     v.field("hold_at_most", s.hold_at_most);
     v.field("still", s.still);
     v.field("still_for", s.still_for);

@@ -25,7 +25,6 @@ inline constexpr std::array inertial_number = {Word<double>{1e-4, "strict"}, Wor
 
 enum class Then { Settle };
 enum class Of { Coarse };
-enum class Skeleton { Held };
 
 inline constexpr auto law = std::apply(
     [](const auto&... spring) {
@@ -35,7 +34,9 @@ inline constexpr auto law = std::apply(
 );
 inline constexpr std::array then = {Word<Then>{Then::Settle, "settle"}};
 inline constexpr std::array constrictions_of = {Word<Of>{Of::Coarse, "coarse"}};
-inline constexpr std::array skeleton = {Word<Skeleton>{Skeleton::Held, "held"}};
+inline constexpr std::array skeleton = {
+    Word<erosion::Skeleton>{erosion::Skeleton::Held, "held"},
+    Word<erosion::Skeleton>{erosion::Skeleton::Moves, "moves"}};
 inline constexpr std::array hold = {Word<bool>{true, "coarse"}, Word<bool>{false, "none"}};
 inline constexpr std::array axis = {Word<int>{0, "x"}, Word<int>{1, "y"}, Word<int>{2, "z"}};
 

@@ -180,7 +180,9 @@ std::vector<Key> migrate_rows() {
         ),
         choice(
             stage, "skeleton", names::words_of(names::skeleton),
-            "held: coarse grains, and fines that carry the skeleton's forces, do not move."
+            "held: coarse grains, and fines that carry the skeleton's forces, do not move. moves: they are held while "
+            "fines "
+            "travel; after each gradient the skeleton finds a new equilibrium under its stresses, as in `erode`."
         ),
         quantity(
             stage, "hold_at_most", dimension::time, above_zero,

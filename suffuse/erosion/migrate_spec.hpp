@@ -10,15 +10,22 @@
 
 namespace suffuse::erosion {
 
+/// What the skeleton does between two gradients.
+enum class Skeleton {
+    Held,  ///< nothing
+    Moves, ///< finds a new equilibrium without the grains that left
+};
+
 struct MigrateSpec {
     std::vector<double> gradients; ///< one after the other, each held until so few fines move
     Vec3 direction = {0, 0, 1};    ///< of the flow
     std::optional<double> exit;    ///< plane across the flow, from where it enters the cell [m]; nothing: a grain that
                                    ///< has traveled one cell length along the flow has left
-    double hold_at_most = 2;       ///< true time of a gradient [s]
-    double still = 0.005;          ///< share of the fines' mass that may move when a hold ends [-]
-    double still_for = 0.05;       ///< true time over which motion is looked at [s]
-    double softness = 1e-3;        ///< overlap over radius of two equal fines under the 95 % load [-]
+    Skeleton skeleton = Skeleton::Held;
+    double hold_at_most = 2; ///< true time of a gradient [s]
+    double still = 0.005;    ///< share of the fines' mass that may move when a hold ends [-]
+    double still_for = 0.05; ///< true time over which motion is looked at [s]
+    double softness = 1e-3;  ///< overlap over radius of two equal fines under the 95 % load [-]
     double with_water =
         0.4; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
     double solve_after = 0.2;                  ///< the flow, when fines have moved so far [diameters]

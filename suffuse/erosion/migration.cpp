@@ -4,6 +4,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/migration_leg.hpp"
+#include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/rest_under_weight.hpp"
 #include "suffuse/pores/widest_path.hpp"
 
@@ -98,22 +99,87 @@ double look_at_motion(Migration& migration) {
     return moving / migration.result.fines_mass;
 }
 
-/// Ends the gradient where its fines rest, or a budget is spent, and begins the next.
-void end_hold(Migration& migration, const MigrateSpec& spec) {
-    MigrationHold& hold = migration.result.holds.back();
-    hold.moving_mass_share = look_at_motion(migration);
-    hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
-    hold.ended = hold.moving_mass_share <= spec.still;
-    const bool is_spent = (spec.time_at_most && migration.time >= *spec.time_at_most * nearly_whole) ||
-                          (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
+void bring_to_rest(dem::World& world, grains::Motion motion) {
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.velocity[g] = world.grains.spin[g] = {};
+        world.grains.motion[g] = motion;
+    }
+}
+
+/// Gives the fines of a weightless sample their weight, and lets them come to rest on a skeleton that is held.
+WeighedCopy
+rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
+    const std::vector<Vec3> weight = buoyant_weights(sample, *spec.gravity, around.fluid);
+    const GrainWater water(sample, std::vector<std::uint8_t>(sample.grains.size()), spec.direction, around.fluid);
+    WeighedCopy copy(sample, weight, {.softness = spec.softness}, load_over_weight(sample, weight, water, spec));
+    const Pulse pulse = [&around, before = migration.steps](std::string_view part, long long steps) {
+        beat(around.pulse, part, before + steps);
+    };
+    migration.rested = rest_under_weight(copy, pulse).ended && migration.rested;
+    migration.steps += copy.steps();
+    migration.scale = copy.scale();
+    migration.world = copy.whole();
+    return copy;
+}
+
+/// The skeleton finds its new equilibrium under the stresses of the sample before, and the fines come to rest on it.
+/// What they travel does not count that.
+void settle_skeleton(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
+    Migration next = migration;
+    dem::World sample = migrated_sample(migration, around.pulse);
+    ErosionResult before;
+    before.initial_mass = migration.solids_mass;
+    PassResult pass;
+    pass.stress_before = migration.stress;
+    Resettlement so_far;
+    reequilibrate(sample, {}, before, around, pass, so_far);
+    next.steps += pass.steps;
+    MigrationHold& hold = next.result.holds.back();
+    hold.porosity = pass.porosity_after;
+    hold.volumetric_strain = pass.volumetric_strain;
+    hold.stress_kept = dem::mean_stress(pass.stress_constant_volume) / dem::mean_stress(migration.stress);
+    hold.failed = pass.failed;
+    MigrationLedger& ledger = next.ledger;
+    const std::vector<std::size_t> present = find_present(ledger);
+    if (present.empty()) {
+        bring_to_rest(sample, grains::Motion::Held);
+        next.world = sample;
+    } else {
+        const WeighedCopy copy = rest_fines(next, sample, spec, around);
+        for (std::size_t p = 0; p < present.size(); ++p) {
+            const std::size_t k = present[p];
+            ledger.start[k] += copy.position(p) - ledger.end[k];
+            ledger.end[k] = ledger.before[k] = copy.position(p);
+            ledger.goes[k] = 0;
+        }
+    }
+    next.settles = false;
+    migration = std::move(next);
+}
+
+bool is_spent(const Migration& migration, const MigrateSpec& spec) {
     const bool all_left = std::ranges::all_of(migration.ledger.where, [](Whereabouts where) {
         return where == Whereabouts::Eroded || where == Whereabouts::Fixed;
     });
-    const bool is_over = hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole;
-    if (is_spent || all_left || (is_over && migration.result.holds.size() == spec.gradients.size())) {
-        migration.over = true;
-    } else if (is_over) {
-        migration.result.holds.push_back({.gradient = spec.gradients[migration.result.holds.size()]});
+    return all_left || (spec.time_at_most && migration.time >= *spec.time_at_most * nearly_whole) ||
+           (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
+}
+
+/// Looks whether the fines rest. @return whether the hold is over
+bool end_hold(Migration& migration, const MigrateSpec& spec) {
+    MigrationHold& hold = migration.result.holds.back();
+    hold.moving_mass_share = look_at_motion(migration);
+    hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
+    hold.porosity = dem::porosity(migration.world);
+    hold.ended = hold.moving_mass_share <= spec.still;
+    return hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+}
+
+void begin_next_hold(Migration& migration, const MigrateSpec& spec) {
+    std::vector<MigrationHold>& holds = migration.result.holds;
+    migration.over = holds.back().failed || is_spent(migration, spec) || holds.size() == spec.gradients.size();
+    if (!migration.over) {
+        holds.push_back({.gradient = spec.gradients[holds.size()]});
     }
 }
 
@@ -136,19 +202,18 @@ double mass_share(const MigrationLedger& ledger, Whereabouts where) {
     return all > 0 ? some / all : 0;
 }
 
-Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const MigrationSurroundings& around) {
+Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
     check(sample, spec);
     Migration migration;
     const double length = length_along(sample.cell.h, spec);
     dem::World sorted = sample;
     dem::sort_along_curve(sorted);
-    const std::vector<Vec3> weight = buoyant_weights(sorted, *spec.gravity, around.fluid);
-    const GrainWater water(sorted, std::vector<std::uint8_t>(sorted.grains.size()), spec.direction, around.fluid);
-    WeighedCopy copy(sorted, weight, {.softness = spec.softness}, load_over_weight(sorted, weight, water, spec));
-    migration.rested = rest_under_weight(copy, around.pulse).ended;
-    migration.steps = copy.steps();
-    migration.scale = copy.scale();
-    migration.world = copy.whole();
+    migration.stress = dem::mean_stress_tensor(sorted);
+    if (spec.skeleton == Skeleton::Moves && !(dem::mean_stress(migration.stress) > 0)) {
+        throw StateError("skeleton = \"moves\": the sample carries no stress that its skeleton could keep; compact it "
+                         "first, or take \"held\"");
+    }
+    const WeighedCopy copy = rest_fines(migration, sorted, spec, around);
     MigrationLedger& ledger = migration.ledger;
     for (std::size_t p = 0; p < copy.fines().size(); ++p) {
         const std::uint32_t g = copy.fines()[p];
@@ -172,15 +237,23 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
     return migration;
 }
 
-void migrate_on(Migration& migration, const MigrateSpec& spec, const MigrationSurroundings& around) {
+void migrate_on(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
     expects(!migration.over, "a migration that is over does not go on");
+    if (migration.settles) {
+        settle_skeleton(migration, spec, around);
+        return begin_next_hold(migration, spec);
+    }
     Leg leg(migration, spec, around);
     const double left = migration.looked + spec.still_for - migration.time;
     leg.go(migration.time, left);
     leg.enter(migration);
     const bool none_left = find_present(migration.ledger).empty();
-    if (none_left || migration.time >= (migration.looked + spec.still_for) * nearly_whole) {
-        end_hold(migration, spec);
+    const bool is_due = none_left || migration.time >= (migration.looked + spec.still_for) * nearly_whole;
+    if (is_due && end_hold(migration, spec)) {
+        migration.settles = spec.skeleton == Skeleton::Moves;
+        if (!migration.settles) {
+            begin_next_hold(migration, spec);
+        }
     }
 }
 
@@ -190,10 +263,7 @@ dem::World migrated_sample(const Migration& migration, const Pulse& pulse) {
     weightless.load({}, 0);
     weightless.hold(pushed_apart, pulse, "unload");
     dem::World sample = weightless.whole();
-    for (std::size_t g = 0; g < sample.grains.size(); ++g) {
-        sample.grains.velocity[g] = sample.grains.spin[g] = {};
-        sample.grains.motion[g] = grains::Motion::Free;
-    }
+    bring_to_rest(sample, grains::Motion::Free);
     return sample;
 }
 

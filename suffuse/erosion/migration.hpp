@@ -1,15 +1,15 @@
 #pragma once
-// Fines of weight that move with the water in true time while the skeleton is held. They collide, slide and roll, sink,
+// Fines of weight that move with the water in true time while the skeleton is held; between two gradients it may find a
+// new equilibrium. They collide, slide and roll, sink,
 // and are dragged by the water of the pores where they are; the flow is solved anew as they move, among the grains that
 // do not go with it. Contacts are softened, forces and time are not (weighed_copy.hpp). Left out are lubrication, added
 // mass and the water's turning (docs/theory/migration.md).
 
-#include "suffuse/base/pulse.hpp"
 #include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/migration_result.hpp"
 #include "suffuse/erosion/weight.hpp"
-#include "suffuse/flow/fluid.hpp"
 
 #include <cstdint>
 
@@ -28,22 +28,19 @@ struct Migration {
     double largest_overlap = 0; ///< over the smaller radius, of a grain that moves, at the ends of rows [-]
     double hindrance = 1;       ///< of the last flow: drag over Stokes' of the median resting fine grain [-]
     double solids_mass = 0;     ///< of the sample before [kg]
-    bool rested = false;        ///< before the flow, within the time for it
+    Mat3 stress;                ///< mean, of the sample before [Pa]
+    bool rested = true;         ///< each time before the flow, within the time for it
+    bool settles = false;       ///< next the skeleton finds its new equilibrium
     bool over = false;          ///< all gradients are done, or a budget is
-};
-
-/// What a migration needs besides its own settings.
-struct MigrationSurroundings {
-    flow::Fluid fluid;
-    Pulse pulse; ///< may throw Interrupted: the migration is then as it was before the call
 };
 
 /// Lets the fines of `sample` come to rest under their weight. @throws CaseError, StateError for a setting or sample
 /// that cannot be; and what a flow throws
-Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const MigrationSurroundings& around);
+Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const Surroundings& around);
 
-/// Solves the flow, and lets the fines move until it is old, or motion is looked at. @pre it is not over
-void migrate_on(Migration& migration, const MigrateSpec& spec, const MigrationSurroundings& around);
+/// Solves the flow, and lets the fines move until it is old, or motion is looked at; or, between two gradients, lets
+/// the skeleton move. A pulse that throws leaves the migration as it was before the call. @pre it is not over
+void migrate_on(Migration& migration, const MigrateSpec& spec, const Surroundings& around);
 
 /// The sample without the grains that left, as a weightless one: fines are pushed apart until they press nothing, then
 /// nothing moves, and all grains are free again.

@@ -64,7 +64,7 @@ double strength(const MigrateSpec& spec) {
     return spec.gravity->acceleration / suffuse::gravity;
 }
 
-Leg::Leg(const Migration& before, const MigrateSpec& spec, const MigrationSurroundings& around)
+Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& around)
     : spec_(spec), pulse_([&around, steps = before.steps](std::string_view part, long long more) {
           beat(around.pulse, part, steps + more);
       }),

@@ -23,7 +23,7 @@ double strength(const MigrateSpec& spec);
 /// On copies, so that it may be stopped.
 class Leg {
 public:
-    Leg(const Migration& before, const MigrateSpec& spec, const MigrationSurroundings& around);
+    Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& around);
 
     /// Moves until the flow is old, for at most `most` of true time [s].
     void go(double time, double most);

@@ -28,6 +28,10 @@ struct MigrationHold {
     bool ended = false;                                  ///< so few fines moved; else the time or the steps were over
     double eroded_mass_share = 0, moving_mass_share = 0; ///< of the fines' mass, at its end [-]
     double permeability = 0;                             ///< of the last flow in it [m2]
+    double porosity = 0;                                 ///< at its end, after the skeleton has moved if it may [-]
+    double volumetric_strain = 0;                        ///< of the skeleton after it, compression positive [-]
+    double stress_kept = 1; ///< of the mean stress, by a skeleton at constant volume without the grains that left [-]
+    bool failed = false;    ///< the skeleton does not carry its stresses any more
 };
 
 /// What has become of a fine grain.

@@ -24,6 +24,19 @@ inline constexpr std::tuple migration_hold{
     row<&erosion::MigrationHold::permeability>(
         "permeability", "m2", "along the flow, of the last solution in the hold"
     ),
+    row<&erosion::MigrationHold::porosity>(
+        "porosity", "-", "at the end of the hold; after the skeleton has moved, where it may"
+    ),
+    row<&erosion::MigrationHold::volumetric_strain>(
+        "volumetric_strain", "-", "of the skeleton as it moves after the hold, compression positive; 0 where it is held"
+    ),
+    row<&erosion::MigrationHold::stress_kept>(
+        "stress_kept", "-",
+        "of the mean stress, by the skeleton at constant volume without the grains that left; 1 where it is held"
+    ),
+    row<&erosion::MigrationHold::failed>(
+        "failed", "", "whether the skeleton does not carry its stresses any more after the hold"
+    ),
 };
 
 } // namespace suffuse::facts

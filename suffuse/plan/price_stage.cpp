@@ -274,11 +274,17 @@ public:
         const double excess = std::max(1e-3, 1 - case_.fluid.density / variant_.material.density);
         const double fall = std::sqrt(sample_.fines.median / (excess * gravity));
         const double slower = std::sqrt(erosion::MigrateSpec{}.softness / spec.softness);
+        const double equilibria = spec.skeleton == erosion::Skeleton::Moves ? 2 * holds : 0;
+        const double rests = spec.skeleton == erosion::Skeleton::Moves ? 1 + holds : 1;
         return {
-            .reference_steps = work_of_free_fines * (rest_of_fines + slower / fall * steps_of_a_fall * time),
+            .steps = equilibria * waited(case_, balance_after_removal),
+            .reference_steps = work_of_free_fines * (rests * rest_of_fines + slower / fall * steps_of_a_fall * time),
             .seconds = flows_a_second * time * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
-            .basis = fmt::format("rest under weight, then {} gradients, each until motion ends", holds)};
+            .basis = fmt::format(
+                "rest under weight, then {} gradients, each until motion ends{}", holds,
+                equilibria > 0 ? ", and the skeleton's new equilibrium after it" : ""
+            )};
     }
 
 private:

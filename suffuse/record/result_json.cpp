@@ -220,7 +220,7 @@ SUFFUSE_MEMBERS(
 )
 SUFFUSE_MEMBERS( // but for the world, which is saved as a state
     Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance, solids_mass,
-    rested, over
+    stress, rested, settles, over
 )
 } // namespace erosion
 

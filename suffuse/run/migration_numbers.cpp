@@ -53,6 +53,12 @@ std::vector<std::string> migration_remarks(const erosion::Migration& migration, 
             holds.back().gradient, spec.gradients.size() - holds.size()
         ));
     }
+    if (holds.back().failed) {
+        remarks.push_back(fmt::format(
+            "after i = {:.3g} the skeleton does not carry its stresses any more, which ends the stage",
+            holds.back().gradient
+        ));
+    }
     if (!migration.rested) {
         remarks.push_back(
             "the fines had not come to rest under their weight when the flow began: some fall through the skeleton "

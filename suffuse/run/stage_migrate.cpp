@@ -73,7 +73,7 @@ void write_ledger(const std::filesystem::path& folder, const erosion::Migration&
 } // namespace
 
 void do_migrate(StageWork& work, const erosion::MigrateSpec& spec) {
-    const erosion::MigrationSurroundings around{work.what.fluid, work.control.pulse()};
+    const erosion::Surroundings around = work.surroundings();
     erosion::Migration migration;
     if (work.resumed.is_null()) {
         migration = erosion::begin_migration(work.world, spec, around);
