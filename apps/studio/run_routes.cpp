@@ -7,8 +7,10 @@
 #include "apps/studio/door.hpp"
 #include "apps/studio/routes.hpp"
 #include "apps/studio/run_folders.hpp"
+#include "apps/studio/shared_call.hpp"
 #include <array>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <utility>
 
@@ -100,9 +102,10 @@ void add_run_routes(httplib::Server& server, Studio& studio) {
     server.Get("/api/names", [&](const auto&, auto& response) {
         answer(response, 200, {{"result", run_names(studio.folder)}});
     });
-    server.Get("/api/runs", [&](const auto&, auto& response) {
-        answer_call(response, call_program({"runs", studio.folder.string()}, studio.folder));
+    const auto list = std::make_shared<SharedCall>([&studio] {
+        return call_program({"runs", studio.folder.string()}, studio.folder);
     });
+    server.Get("/api/runs", [list](const auto&, auto& response) { answer_call(response, list->answer()); });
     server.Get("/api/runs/([^/]+)", [&](const auto& request, auto& response) { show_run(request, response, studio); });
     server.Get("/runs/([^/]+)/(.+)", [&](const auto& request, auto& response) {
         show_file(request, response, studio);

@@ -2,6 +2,7 @@
 
 Each test starts the real program on a folder of its own and speaks HTTP to it, byte by byte where a browser would not.
 """
+import concurrent.futures
 import http.client
 import json
 import os
@@ -276,6 +277,15 @@ class Ports(InAFolder):
             self.assertEqual(studio.get_json("/api/names")["result"], [run])
         self.assertEqual(second.get("/", headers={"Cookie": first.cookie}).status, 401)
         self.assertIn(f"port {first.port} is taken", second.end())
+
+    def test_many_reloads_at_once_all_have_the_list_as_it_is(self):
+        run = self.finished_run()
+        studio = self.studio()
+        with concurrent.futures.ThreadPoolExecutor(12) as pool:
+            for answer in pool.map(lambda _: studio.get_json("/api/runs"), range(12)):
+                self.assertEqual([r["name"] for r in answer["result"]["runs"]], [run])
+        self.assertEqual(studio.post(f"/api/runs/{run}/delete").status, 200)
+        self.assertEqual(studio.get_json("/api/runs")["result"]["runs"], [])
 
     def test_it_ends_with_ctrl_c(self):
         studio = self.studio()
