@@ -10,7 +10,6 @@
 #include "apps/studio/routes.hpp"
 #include "apps/studio/run_folders.hpp"
 #include <chrono>
-#include <regex>
 #include <sys/wait.h>
 #include <thread>
 
@@ -54,24 +53,6 @@ void make_case(const httplib::Request& request, httplib::Response& response) {
         call.document.update(case_in(folder.path() / "case"));
     }
     answer_call(response, call);
-}
-
-/// Writes a case of the page and its data, fields "case" and "file:data/dam.csv", into a folder.
-void take_case(const httplib::Request& request, const fs::path& folder) {
-    static const std::regex plain("([A-Za-z0-9_][A-Za-z0-9._-]*/)?[A-Za-z0-9_][A-Za-z0-9._-]*");
-    const std::string mark = "file:";
-    io::write_file(folder / "case.toml", field(request, "case"));
-    for (const auto& [name, part] : request.files) {
-        if (!name.starts_with(mark)) {
-            continue;
-        }
-        const std::string path = name.substr(mark.size());
-        if (!std::regex_match(path, plain)) {
-            throw Refusal(400, "a file of a case is called like data/dam.csv");
-        }
-        io::make_folders((folder / path).parent_path());
-        io::write_file(folder / path, part.content);
-    }
 }
 
 ProgramCall plan_in(const fs::path& folder, const std::vector<std::string>& preset, const fs::path& cache) {
@@ -189,6 +170,9 @@ void resume(const httplib::Request& request, httplib::Response& response, Studio
 void add_case_routes(httplib::Server& server, Studio& studio) {
     server.Get("/api/examples", [&](const auto&, auto& response) {
         answer(response, 200, {{"result", studio.examples}});
+    });
+    server.Get("/api/results", [&](const auto&, auto& response) {
+        answer_call(response, call_program({"schema", "--results"}, studio.folder));
     });
     server.Post("/api/new", make_case);
     server.Post("/api/check", check);

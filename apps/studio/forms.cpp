@@ -1,6 +1,7 @@
 // Forms of the page -> words of the command line and files; what the program said -> an answer.
 
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,7 @@
 #include "apps/studio/routes.hpp"
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 namespace suffuse::studio {
 
@@ -41,6 +43,23 @@ std::string take_upload(const httplib::Request& request, const std::string& name
     std::filesystem::create_directories(folder / name);
     io::write_file(folder / name / safe, upload.content);
     return (std::filesystem::path(name) / safe).string();
+}
+
+void take_case(const httplib::Request& request, const std::filesystem::path& folder) {
+    static const std::regex plain("([A-Za-z0-9_][A-Za-z0-9._-]*/)?[A-Za-z0-9_][A-Za-z0-9._-]*");
+    const std::string mark = "file:";
+    io::write_file(folder / "case.toml", field(request, "case"));
+    for (const auto& [name, part] : request.files) {
+        if (!name.starts_with(mark)) {
+            continue;
+        }
+        const std::string path = name.substr(mark.size());
+        if (!std::regex_match(path, plain)) {
+            throw Refusal(400, "a file of a case is called like data/dam.csv");
+        }
+        io::make_folders((folder / path).parent_path());
+        io::write_file(folder / path, part.content);
+    }
 }
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
-// What the page can request, in three parts: a soil's criteria, a case and its price, and the runs. Fields of a form
-// are called as the options of the program are.
+// What the page can request, in four parts: a soil's criteria, a case and its price, the runs, and the tasks of a
+// sweep. Fields of a form are called as the options of the program are.
 
 #include "apps/studio/http.hpp"
 #include "apps/studio/program.hpp"
@@ -21,6 +21,7 @@ struct Studio {
 void add_soil_routes(httplib::Server& server);
 void add_case_routes(httplib::Server& server, Studio& studio);
 void add_run_routes(httplib::Server& server, Studio& studio);
+void add_sweep_routes(httplib::Server& server, Studio& studio);
 
 /// A field of a form; empty where it is not given.
 std::string field(const httplib::Request& request, const std::string& name);
@@ -32,6 +33,10 @@ void add_options(
 
 /// Writes a file of a form into a folder. @return its name there. @throws Refusal 400 where it is not given
 std::string take_upload(const httplib::Request& request, const std::string& name, const std::filesystem::path& folder);
+
+/// Writes a case of the page and its data, fields "case" and "file:data/dam.csv", into a folder. @throws Refusal 400
+/// for a name of a file that leads elsewhere
+void take_case(const httplib::Request& request, const std::filesystem::path& folder);
 
 /// What came of a call: {"result", "talk"}; or {"error", "talk"}, the error with its problems as the program wrote it.
 void answer_call(httplib::Response& response, const ProgramCall& call);

@@ -72,6 +72,30 @@ std::vector<std::string> run_names(const fs::path& root) {
     return names;
 }
 
+std::vector<std::string> finished_stages(const fs::path& run) {
+    constexpr int deepest = 8; // folders: a study, its swept keys, a replicate, a stage
+    constexpr std::size_t most = 100'000;
+    std::vector<std::string> found;
+    std::error_code error;
+    const fs::path root = run / "studies";
+    if (!fs::is_directory(fs::symlink_status(root, error))) {
+        return found;
+    }
+    for (fs::recursive_directory_iterator one(root, error), end; !error && one != end && found.size() < most;
+         one.increment(error)) {
+        std::error_code gone;
+        const bool is_stage = fs::is_regular_file(fs::symlink_status(one->path() / "stage.json", gone));
+        if (one->is_symlink(gone) || is_stage || one.depth() >= deepest) {
+            one.disable_recursion_pending();
+        }
+        if (is_stage && !one->is_symlink(gone)) {
+            found.push_back(one->path().lexically_relative(root).string());
+        }
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
 std::vector<fs::path> runs_at_work(const fs::path& root) {
     std::vector<fs::path> runs;
     for (const fs::directory_entry& entry : fs::directory_iterator(fs::canonical(root))) {

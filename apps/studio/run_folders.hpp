@@ -19,6 +19,10 @@ std::filesystem::path find_run(const std::filesystem::path& root, const std::str
 /// Names of all runs, the one last changed first: without a look at what they found, which takes seconds for thousands.
 std::vector<std::string> run_names(const std::filesystem::path& root);
 
+/// The finished stages of a run, as folders below studies/: "sand/friction=20deg/rep=1/initial". Those of a sweep's
+/// tasks, too, which leave no events in the run's folder. Links are not followed.
+std::vector<std::string> finished_stages(const std::filesystem::path& run);
+
 /// The folders of the runs that a program works on now.
 std::vector<std::filesystem::path> runs_at_work(const std::filesystem::path& root);
 

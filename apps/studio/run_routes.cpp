@@ -59,6 +59,8 @@ void show_run(const httplib::Request& request, httplib::Response& response, cons
          {"progress", read_of(run, "progress.json")},
          {"plan", read_of(run, "plan.json")},
          {"events", events_of(run)},
+         {"done", finished_stages(run)},
+         {"tasks", fs::is_regular_file(fs::symlink_status(run / "sweep.sbatch"))},
          {"report", fs::is_regular_file(run / "report.html")}}
     );
 }

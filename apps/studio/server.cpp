@@ -88,6 +88,7 @@ Server::Server(const fs::path& folder, const fs::path& page, std::vector<std::st
     add_soil_routes(server);
     add_case_routes(server, parts.studio);
     add_run_routes(server, parts.studio);
+    add_sweep_routes(server, parts.studio);
 }
 
 Server::~Server() {

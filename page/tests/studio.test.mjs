@@ -1,58 +1,21 @@
 // The studio in a browser, as a user walks through it: a soil, its simulation, its report. The program is the real one.
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { cpSync, mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { launch, patience } from "./browser.mjs";
+import { StudioInBrowser, gap, nameless, picture } from "./studio_in_browser.mjs";
 
-const program = process.env.SUFFUSE_PROGRAM, pictures = process.env.SUFFUSE_PICTURES;
-const gap = "d [mm],passing [%]\n0.25,0\n0.3,10\n0.36,18\n0.40,20\n0.9,21\n1.1,45\n1.3,75\n1.5,100\n";
 const gravel = "d [mm],passing [%]\n0.1,0\n0.2,15\n0.4,22\n2,24\n4,50\n8,80\n16,100\n";
-let browser, folder, studio, address;
-
-const start = () => new Promise((resolve) => {
-  studio = spawn(program, ["studio", "--no-browser"], { cwd: folder, env: { ...process.env, TMPDIR: join(folder, "temporary") } });
-  studio.stdout.once("data", (text) => { address = String(text).trim(); resolve(); });
-});
+const studio = new StudioInBrowser(), open = (...words) => studio.open(...words);
 
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "suffuse-studio-test-"));
-  mkdirSync(join(folder, "temporary")); // a studio that is killed leaves its files there
-  writeFileSync(join(folder, "gap.csv"), gap);
-  writeFileSync(join(folder, "filter.csv"), "d [mm],passing [%]\n0.5,0\n1,20\n2,60\n4,100\n");
-  execFileSync(program, ["new", "replay", "--from", "replay"], { cwd: folder });
-  for (const seed of [1, 2]) execFileSync(program, ["run", "replay/case.toml", "-q", "--set", `seed=${seed}`], { cwd: folder });
-  await start();
-  browser = await launch();
+  await studio.begin();
+  writeFileSync(join(studio.folder, "filter.csv"), "d [mm],passing [%]\n0.5,0\n1,20\n2,60\n4,100\n");
+  studio.suffuse("new", "replay", "--from", "replay");
+  for (const seed of [1, 2]) studio.suffuse("run", "replay/case.toml", "-q", "--set", `seed=${seed}`);
 });
 
-after(async () => {
-  await browser?.close();
-  studio?.kill("SIGKILL");
-  rmSync(folder, { recursive: true, force: true, maxRetries: 10 });
-});
-
-/** A page of its own, with all that it complains of or requests elsewhere. */
-async function open(hash = "", options = {}) {
-  const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce", ...options });
-  context.setDefaultTimeout(patience);
-  const page = await context.newPage(), complaints = [];
-  page.on("console", (message) => message.type() === "error" && complaints.push(message.text()));
-  page.on("pageerror", (error) => complaints.push(error.message));
-  page.on("request", (request) => request.url().startsWith(new URL(address).origin) || /^(data|blob):/.test(request.url()) || complaints.push(request.url()));
-  await page.goto(address);
-  if (hash) await page.evaluate((h) => { location.hash = h; }, hash);
-  await page.waitForFunction(() => document.documentElement.dataset.ready === "yes");
-  return { page, context, complaints };
-}
-
-const picture = async (page, name, options = {}) => {
-  if (!pictures) return;
-  mkdirSync(pictures, { recursive: true });
-  await page.screenshot({ path: join(pictures, `studio-${name}.png`), ...options });
-};
+after(() => studio.end());
 
 const giveSoil = async (page, text = gap, name = "gap.csv") => {
   const before = await page.textContent("#soil-results");
@@ -78,7 +41,7 @@ test("a soil: its verdict, its gap, an edited curve, a filter, and a PDF", async
   assert.equal(await page.evaluate(() => document.activeElement.dataset.point), "4");
   await page.click("#back");
   await page.waitForFunction(() => document.getElementById("back").hidden);
-  await page.setInputFiles("#filter-file", join(folder, "filter.csv"));
+  await page.setInputFiles("#filter-file", join(studio.folder, "filter.csv"));
   await page.waitForFunction(() => document.getElementById("soil-results").textContent.includes("Terzaghi and Peck"));
   const pdf = await page.pdf({ format: "A4" });
   assert.ok(pdf.length > 10_000 && pdf.subarray(0, 4).toString() === "%PDF");
@@ -127,8 +90,8 @@ test("a simulation: price first, an error at its line, started, followed, stoppe
   assert.match(await page.textContent("#live .state"), /Ended: stopped/);
   await page.click("#live >> text=Resume");
   await page.waitForSelector("#live progress");
-  studio.kill("SIGKILL"); // the run goes on
-  await start();
+  studio.kill(); // the run goes on
+  await studio.start();
   assert.deepEqual(complaints.filter((one) => !/422|ERR_CONNECTION/.test(one)), []);
   await context.close();
   const again = await open("#runs/walk-0001");
@@ -193,13 +156,11 @@ test("everything can be reached and named by the keyboard alone", async () => {
     const id = await page.evaluate(() => document.activeElement.id || document.activeElement.textContent.trim() || document.activeElement.dataset.point);
     seen.add(id);
   }
-  for (const wanted of ["Skip to the content", "Soil", "Simulate", "Runs", "file", "table", "gradient", "flow", "filter-file", "print", "0"]) assert.ok(seen.has(wanted), wanted);
-  for (const hash of ["#soil", "#simulate", "#runs"]) {
+  for (const wanted of ["Skip to the content", "Soil", "Simulate", "Runs", "Sweep", "file", "table", "gradient", "flow", "filter-file", "print", "0"]) assert.ok(seen.has(wanted), wanted);
+  for (const hash of ["#soil", "#simulate", "#runs", "#sweep"]) {
     await page.evaluate((h) => { location.hash = h; }, hash);
     await page.waitForTimeout(200);
-    const nameless = await page.evaluate(() => [...document.querySelectorAll("input,select,textarea,button,a,iframe,svg")].filter((e) =>
-      e.checkVisibility?.() && !(e.labels?.length || e.getAttribute("aria-label") || e.title || e.textContent.trim())).map((e) => e.outerHTML.slice(0, 80)));
-    assert.deepEqual(nameless, [], hash);
+    assert.deepEqual(await nameless(page), [], hash);
   }
   await context.close();
 });
@@ -207,7 +168,7 @@ test("everything can be reached and named by the keyboard alone", async () => {
 test("on a phone and in the dark nothing is cut off, and words stand out from their paper", async () => {
   const { page, context } = await open("", { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
   await giveSoil(page);
-  for (const hash of ["#soil", "#simulate", "#runs/replay-0001"]) {
+  for (const hash of ["#soil", "#simulate", "#runs/replay-0001", "#sweep/replay-0001"]) {
     await page.evaluate((h) => { location.hash = h; }, hash);
     await page.waitForTimeout(1500);
     const width = await page.evaluate(() => document.documentElement.scrollWidth);
@@ -234,9 +195,9 @@ test("on a phone and in the dark nothing is cut off, and words stand out from th
 });
 
 test("a thousand runs are listed by name, whatever the time that what they found takes", async () => {
-  const from = join(folder, "runs", "replay-0001");
+  const from = join(studio.folder, "runs", "replay-0001");
   for (let k = 3; k <= 1000; ++k) {
-    const to = join(folder, "runs", `many-${String(k).padStart(4, "0")}`);
+    const to = join(studio.folder, "runs", `many-${String(k).padStart(4, "0")}`);
     mkdirSync(to);
     for (const file of ["case.resolved.toml", "run_options.json", "summary.json", "provenance.json"]) cpSync(join(from, file), join(to, file));
   }

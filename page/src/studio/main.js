@@ -1,10 +1,11 @@
-// The page of `suffuse studio`: three tabs, named in the address after #.
+// The page of `suffuse studio`: four tabs, named in the address after #.
 import { $, trouble } from "./words.js";
 import { connectSoil } from "./soil.js";
 import { connectSimulate, openSimulate } from "./simulate.js";
 import { connectRuns, openRuns } from "./runs.js";
+import { connectSweep, openSweep } from "./sweep.js";
 
-const tabs = ["soil", "simulate", "runs"];
+const tabs = ["soil", "simulate", "runs", "sweep"];
 
 function open() {
   const [word, ...rest] = location.hash.slice(1).split("/"), tab = tabs.includes(word) ? word : "soil";
@@ -16,12 +17,15 @@ function open() {
   trouble();
   window.scrollTo(0, 0); // the address names the tab, and browsers jump to what it names
   if (tab === "simulate") openSimulate();
-  if (tab === "runs") openRuns(decodeURIComponent(rest.join("/")));
+  const name = decodeURIComponent(rest.join("/"));
+  if (tab === "runs") openRuns(name);
+  if (tab === "sweep") openSweep(name);
 }
 
 connectSoil();
 connectSimulate();
 connectRuns();
+connectSweep();
 window.addEventListener("hashchange", open);
 open();
 document.documentElement.dataset.ready = "yes";

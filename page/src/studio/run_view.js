@@ -9,12 +9,24 @@ const names = {
 const tests = new Set(["triaxial", "plane-strain", "oedometer", "cyclic", "stress-probe"]);
 const nameOf = (key) => names[key] ?? key.replaceAll("_", " ");
 
+/** Reads the numbers of finished stages that are not among those measured, a few at a time. */
+export async function measure(run, measured) {
+  const fresh = run.done.filter((stage) => !measured.has(stage)), atOnce = 6;
+  for (let k = 0; k < fresh.length; k += atOnce) {
+    await Promise.all(fresh.slice(k, k + atOnce).map(async (stage) => {
+      const path = `/runs/${encodeURIComponent(run.name)}/studies/${stage.split("/").map(encodeURIComponent).join("/")}/stage.json`;
+      measured.set(stage, await fetch(path).then((r) => (r.ok ? r.json() : null)).catch(() => null));
+    }));
+  }
+}
+
 export class RunView {
   /** @param place the element it fills @param changed is called when the run has ended or gone */
   constructor(place, changed = () => {}) {
     this.place = place;
     this.changed = changed;
     this.name = "";
+    this.parts = ["charts", "stages tw"]; // of the run, one below the other
   }
 
   /** Shows a run, and follows it while it works. */
@@ -25,7 +37,7 @@ export class RunView {
     this.measured = new Map(); // stage -> numbers of its stage.json
     this.isReportShown = false;
     this.hasWorked = false;
-    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p><div class="charts"></div><div class="stages tw"></div></div><div class="report"></div>`;
+    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
     return this.poll();
   }
 
@@ -61,18 +73,11 @@ export class RunView {
       if (states.at(-1)?.steps !== one.steps) states.push({ steps: one.steps, ...one.state, verb: one.verb });
       this.seen.set(key, states);
     }
-    for (const event of run.events) {
-      const stage = event.stage;
-      if (event.event !== "stage done" || this.measured.has(stage)) continue;
-      this.measured.set(stage, null);
-      const path = `/runs/${encodeURIComponent(run.name)}/studies/${stage.split("/").map(encodeURIComponent).join("/")}/stage.json`;
-      const numbers = await fetch(path).then((r) => (r.ok ? r.json() : null)).catch(() => null);
-      this.measured.set(stage, numbers);
-    }
+    await measure(run, this.measured);
   }
 
   draw(run) {
-    const { progress, events } = run, last = events.at(-1), isOver = !run.at_work;
+    const { progress, events } = run, last = events.at(-1);
     const begun = events.findLastIndex((e) => e.event === "run begins");
     const done = new Map(events.filter((e) => e.event === "stage done").map((e) => [e.stage, e.wall_seconds]));
     const failed = new Map(events.slice(begun + 1).filter((e) => e.event === "stage fails").map((e) => [e.stage, e.what ?? ""]));
@@ -82,8 +87,14 @@ export class RunView {
     const share = latest?.stages ? latest.stages_done / latest.stages : 0;
     this.find(".state").innerHTML = run.at_work
       ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts"><span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
-      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}, after ${seconds(last.wall_seconds)}.` : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
+      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}, after ${seconds(last.wall_seconds)}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
     this.buttons(run, outcome);
+    this.body(run, { done, failed, running });
+  }
+
+  /** What is below the buttons: the stages and what they measure; the report in their place when it is there. */
+  body(run, { done, failed, running }) {
+    const isOver = !run.at_work;
     const stages = run.plan?.stages ?? [];
     const state = (key) => (failed.has(key) ? ["no", "✗ failed"] : done.has(key) ? ["ok", `✓ ${seconds(done.get(key))}`] : running.has(key) && run.at_work ? ["", "at work"] : ["un", "waits"]);
     if (!isOver || !run.report) {
@@ -110,29 +121,33 @@ export class RunView {
 
   /** What the stages at work measure, and the mobility that one has found. */
   charts(running) {
-    const parts = [];
+    const parts = [], width = this.place.clientWidth;
     for (const [key, states] of this.seen) {
       if (!running.has(key) || states.length < 2) continue;
       const latest = states.at(-1), isTest = tests.has(latest.verb);
       const x = isTest ? "axial_strain" : "steps", y = isTest ? "deviator_stress" : "void_ratio";
       if (latest[y] === undefined) continue;
-      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y)));
+      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y), width));
     }
     for (const [key, numbers] of this.measured) {
       const rows = numbers?.mobility;
       if (!Array.isArray(rows) || rows.length < 2 || numbers.verb !== "detach") continue;
       const at = numbers.critical_gradient?.["1 %"];
       parts.push(`<h3>${escaped(key)}: ${at ? `1 % of the fines move at i = ${three(at)}` : "less than 1 % of the fines move"}</h3>`,
-        lineChart(rows.map((r) => [r.gradient, 100 * r.mobile_mass_share]), "gradient i", "mass of the fines that moves [%]"));
+        lineChart(rows.map((r) => [r.gradient, 100 * r.mobile_mass_share]), "gradient i", "mass of the fines that moves [%]", width));
     }
     this.find(".charts").innerHTML = parts.join("");
+  }
+
+  moreButtons() {
+    return [];
   }
 
   buttons(run, outcome) {
     const isResumable = !run.at_work && (outcome === "" || outcome === "stopped" || outcome === "time limit");
     const wanted = [
-      run.can_stop && ["stop", "Stop and save"], isResumable && ["resume", "Resume"], !run.at_work && run.report && outcome && ["pdf", "PDF of the report"],
-      !run.at_work && run.report && ["open", "Open the report alone"], run.can_delete && ["delete", "Delete …"],
+      run.can_stop && ["stop", "Stop and save"], run.tasks && !run.at_work && ["collect", "Gather the tasks"], isResumable && ["resume", "Resume"], !run.at_work && run.report && outcome && ["pdf", "PDF of the report"],
+      ...this.moreButtons(run), !run.at_work && run.report && ["open", "Open the report alone"], run.can_delete && ["delete", "Delete …"],
     ].filter(Boolean);
     const key = JSON.stringify(wanted);
     if (this.find(".buttons").dataset.shown === key) return; // so that focus stays
@@ -156,7 +171,7 @@ export class RunView {
       if (what === "delete") {
         this.close();
         this.changed();
-      } else if (what === "resume") {
+      } else if (what === "resume" || what === "collect") {
         await this.show(name);
         this.changed();
       }

@@ -1,6 +1,7 @@
 // The tab Runs: all runs of the folder, what each found, its report, and two compared.
-import { $, escaped, list, seconds, trouble } from "./words.js";
+import { $, escaped, seconds, trouble } from "./words.js";
 import { get } from "./server.js";
+import { compareRuns } from "./compare_view.js";
 import { RunView } from "./run_view.js";
 
 let runs = [], chosen = new Set(), view, current = "";
@@ -41,13 +42,8 @@ async function compare() {
   draw();
   $("run").innerHTML = "<p class=\"cap\">Comparing …</p>";
   try {
-    const { result } = await get(`/api/compare/${encodeURIComponent(one)}/${encodeURIComponent(other)}`);
+    $("run").innerHTML = await compareRuns(one, other);
     trouble();
-    const number = (text) => (text !== "" && Number.isFinite(Number(text)) ? String(Number(Number(text).toPrecision(4))) : text);
-    const most = 500, rows = result.differences.slice(0, most);
-    const head = `<h2>${escaped(one)} and ${escaped(other)}</h2><ul class="cap">${list(result.circumstances)}</ul>`;
-    $("run").innerHTML = rows.length === 0 ? `${head}<p>No number differs.</p>` : `${head}<div class="tw"><table><caption>${result.differences.length} numbers differ${result.differences.length > most ? `; the first ${most}` : ""}.</caption><thead><tr><th>where</th><th class="n">${escaped(one)}</th><th class="n">${escaped(other)}</th><th class="n">difference</th></tr></thead><tbody>${rows.map((d) =>
-      `<tr><td>${escaped(d.where ?? "")}</td><td class="n">${escaped(number(String(d.first ?? "")))}</td><td class="n">${escaped(number(String(d.second ?? "")))}</td><td class="n">${typeof d.relative === "number" ? `${(100 * d.relative).toPrecision(2)} %` : ""}</td></tr>`).join("")}</tbody></table></div>`;
   } catch (error) {
     $("run").innerHTML = "";
     trouble(error);

@@ -1,0 +1,116 @@
+// The text of a case with its errors at their lines, its price, and its start: what the tabs Simulate and Sweep share.
+import { $, escaped, secondsRange, trouble } from "./words.js";
+import { afterChanges, post } from "./server.js";
+import { planFacts } from "./run_view.js";
+
+export class CaseEditor {
+  /** @param prefix of the names of its elements @param planned what the plan shows as HTML @param changed is called with each text */
+  constructor(prefix, planned, changed = () => {}) {
+    this.at = (name) => $(prefix + name);
+    this.planned = planned;
+    this.changed = changed;
+    this.files = {}; // what the case names
+    this.price = afterChanges(600, (signal) => this.check(signal));
+    this.at("preset").addEventListener("change", this.price);
+    this.at("case").addEventListener("input", () => this.set(this.text));
+    this.at("problems").addEventListener("click", (event) => event.target.dataset.line && this.goToLine(Number(event.target.dataset.line)));
+  }
+
+  get text() {
+    return this.at("case").value;
+  }
+
+  /** Another text of the same case. */
+  set(text) {
+    if (this.text !== text) this.at("case").value = text;
+    this.offerPresets();
+    this.showProblems([]);
+    this.changed(text);
+    this.price();
+  }
+
+  take(text, files, name) {
+    this.files = files;
+    this.at("name").value = name;
+    this.set(text);
+  }
+
+  fields() {
+    return { case: this.text, preset: this.at("preset").value, ...Object.fromEntries(Object.entries(this.files).map(([name, text]) => [`file:${name}`, text])) };
+  }
+
+  offerPresets() {
+    const select = this.at("preset"), chosen = select.value, names = [...this.text.matchAll(/^\s*\[presets\.([\w-]+)\]/gm)].map((m) => m[1]);
+    const all = [...new Set([...names, "standard"])];
+    const named = this.text.match(/^\s*preset\s*=\s*"([\w-]+)"/m)?.[1] ?? "";
+    select.innerHTML = `<option value="">as in the case${named ? `: ${escaped(named)}` : ""}</option>${all.map((name) => `<option>${escaped(name)}</option>`).join("")}`;
+    select.value = chosen;
+    if (select.selectedIndex < 0) select.value = "";
+  }
+
+  /** Numbers of the lines, those with problems marked; and the problems. */
+  showProblems(problems) {
+    const lines = this.text.split("\n").length, marked = new Map(problems.map((p) => [p.line, p.kind]));
+    this.at("numbers").innerHTML = Array.from({ length: lines }, (_, k) => (marked.has(k + 1) ? `<b class="${marked.get(k + 1)}">${k + 1}</b>` : `${k + 1}`)).join("\n");
+    this.at("case").rows = lines + 1;
+    this.at("problems").innerHTML = problems.map((p) =>
+      `<li class="${p.kind === "error" ? "no" : "un"}">${p.line > 0 ? `<button type="button" data-line="${p.line}">line ${p.line}</button>` : ""}${escaped(p.message)}${p.help ? `; ${escaped(p.help)}` : ""}</li>`).join("");
+  }
+
+  goToLine(number) {
+    const lines = this.text.split("\n"), begin = lines.slice(0, number - 1).reduce((sum, line) => sum + line.length + 1, 0);
+    const area = this.at("case"), editor = area.parentElement;
+    area.focus();
+    area.setSelectionRange(begin, begin + lines[number - 1].length);
+    editor.scrollTop = (editor.scrollHeight * (number - 1)) / lines.length - editor.clientHeight / 2;
+  }
+
+  showPlan(plan, talk) {
+    this.at("price").textContent = plan ? secondsRange(plan.seconds) : "–";
+    this.at("price-more").textContent = plan ? `${planFacts(plan)}. Measured on this machine.` : "";
+    this.at("start").disabled = !plan;
+    this.at("stages").innerHTML = plan ? this.planned(plan) : `<p class="cap">${escaped((talk ?? []).join(" "))}</p>`;
+  }
+
+  /** Checks the case and prices it. */
+  async check(signal) {
+    if (!this.text.trim()) return;
+    this.at("price").textContent = "…";
+    try {
+      const checked = await post("/api/check", this.fields(), signal);
+      this.showProblems(checked.result.problems);
+      const { result } = await post("/api/plan", this.fields(), signal);
+      trouble();
+      this.showPlan(result);
+    } catch (error) {
+      if (error.name === "AbortError") throw error;
+      this.showPlan(null, error.problems?.length ? [] : [error.message]);
+      this.showProblems(error.problems?.length ? error.problems : [{ kind: "error", line: 0, message: error.message }]);
+    }
+  }
+
+  /** Requests something of the case; an error is shown at its line. @return the answer; nothing after an error */
+  async request(path, more, button) {
+    button.disabled = true;
+    try {
+      const answer = await post(path, { name: this.at("name").value, ...this.fields(), ...more });
+      trouble();
+      return answer;
+    } catch (error) {
+      trouble(error);
+      if (error.problems?.length) this.showProblems(error.problems);
+      return null;
+    } finally {
+      button.disabled = false;
+    }
+  }
+
+  /** Starts it as a run. @return the run's name; nothing where it could not be started */
+  async start(tab) {
+    const note = this.at("start-note");
+    note.textContent = "Starting …";
+    const answer = await this.request("/api/start", {}, this.at("start"));
+    note.innerHTML = answer ? `Started: <a href="#${tab}/${encodeURIComponent(answer.run)}">${escaped(answer.run)}</a>. It goes on if this page is closed.` : "";
+    return answer?.run;
+  }
+}

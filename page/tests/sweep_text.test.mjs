@@ -1,0 +1,54 @@
+// The sweep of a study as it is written into the text of a case.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { keysOf, studiesOf, sweepLine, valuesOf, withSweep } from "../src/studio/sweep_text.js";
+
+const text = `[contact]
+law      = "linear-rolling"
+friction = "37 deg"
+
+[soil.sand]
+psd   = "sand.csv"
+fines = { finer_than = "0.2 mm" }
+
+[study.main]
+soil  = "sand"
+sweep = {
+  "contact.friction" = ["1 deg", "2 deg"], # [ and { in a comment
+}
+replicates = 2
+
+[[study.main.stage]]
+name = "initial"
+do   = "compact"
+pressure = "100 kPa"
+
+[study."other"]
+soil = "sand"
+`;
+
+test("what can be swept is what the case has", () => {
+  assert.deepEqual(studiesOf(text), ["main", "other"]);
+  assert.deepEqual(keysOf(text, "main"), ["particles", "fines_content", "contact.friction", "fines", "stage.initial.pressure"]);
+  assert.ok(!keysOf(text, "other").some((key) => key.startsWith("stage.")));
+});
+
+test("numbers stay numbers, and everything else is a string", () => {
+  assert.deepEqual(valuesOf(" 20 deg, 1e3 ;true,,"), ["20 deg", "1e3", "true"]);
+  assert.equal(sweepLine([{ key: "contact.friction", values: "20 deg, 30 deg" }, { key: "particles", values: "1_000, 2e3" }, { key: "", values: "1" }]),
+    'sweep = { "contact.friction" = ["20 deg", "30 deg"], particles = [1_000, 2e3] }');
+  assert.equal(sweepLine([{ key: "fines_content", values: " , " }]), "");
+  assert.equal(sweepLine([{ key: 'a"b', values: 'c"]}\\' }]), 'sweep = { "a\\"b" = ["c\\"]}\\\\"] }');
+});
+
+test("a sweep takes the place of the one before, and nothing else changes", () => {
+  const rows = [{ key: "contact.friction", values: "20 deg" }], line = 'sweep = { "contact.friction" = ["20 deg"] }';
+  const changed = withSweep(text, "main", rows);
+  const old = text.slice(text.indexOf("sweep = {"), text.indexOf("replicates"));
+  assert.equal(changed, text.replace(old, "").replace("replicates = 2\n", `replicates = 2\n${line}\n`));
+  assert.equal(withSweep(changed, "main", rows), changed);
+  assert.ok(withSweep(text, "main", rows, "3").includes(`soil  = "sand"\n${line}\nreplicates = 3\n\n[[study.main.stage]]`));
+  assert.ok(withSweep(text, "other", rows).endsWith(`[study."other"]\nsoil = "sand"\n${line}\n`));
+  assert.throws(() => withSweep(text, "third", rows), /\[study.third\]/);
+});
