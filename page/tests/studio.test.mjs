@@ -101,6 +101,26 @@ test("a simulation: price first, an error at its line, started, followed, stoppe
   await again.context.close();
 });
 
+test("the curve of mobility grows while its stage is at work", async () => {
+  const { page, context, complaints } = await open();
+  await giveSoil(page);
+  await page.click("text=Simulate this soil");
+  await page.selectOption("#way", "surrogate");
+  await page.click("#make");
+  await page.waitForFunction(() => document.getElementById("case").value.includes("surrogate") && !document.getElementById("start").disabled);
+  await page.locator("#name").fill("mobility");
+  await page.click("#start");
+  const dots = () => page.locator("#live .charts .dot").count();
+  await page.waitForFunction(() => document.querySelectorAll("#live .charts .dot").length > 14 && document.querySelector("#live h3").textContent.includes("is held"));
+  await picture(page, "mobility");
+  const before = await dots();
+  await page.waitForFunction((n) => document.querySelectorAll("#live .charts .dot").length > n, before);
+  await page.click("#live >> text=Stop and save");
+  await page.waitForSelector("#live >> text=Resume");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("runs: searched, their report in a frame without rights, two compared, one deleted after a question", async () => {
   const { page, context, complaints } = await open("#runs");
   await page.waitForSelector("#run-table tbody tr");

@@ -132,8 +132,11 @@ void compare_with_weight(const WeighedCopy& copy, const UnitSeepage& water, doub
 /// The fines of a copy under a ramp, from where they rest.
 class Climb {
 public:
-    Climb(WeighedCopy& copy, const MobilitySetting& setting, const SolveFlow& solve, MobilityResult& result)
-        : copy_(copy), result_(result), solve_(solve), moved_(setting.motion.moved),
+    Climb(
+        WeighedCopy& copy, const MobilitySetting& setting, const SolveFlow& solve, const WatchRamp& watch,
+        MobilityResult& result
+    )
+        : copy_(copy), result_(result), solve_(solve), watch_(watch), moved_(setting.motion.moved),
           longest_hold_(setting.motion.hold_at_most),
           strength_(setting.gravity.acceleration / suffuse::gravity), // the flow is of standard gravity
           rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.specified_gradient) {}
@@ -240,6 +243,9 @@ private:
             }
             step.still_moving = static_cast<double>(advancing) / static_cast<double>(rest_.size());
             step.mobile_mass_share = mass_share(result_, mobile);
+            if (watch_) {
+                watch_(result_.ramp, step);
+            }
             holds_on = is_still_growing(step) && step.mobile_mass_share < undone_at;
         }
         const auto count = std::ranges::count_if(result_.mobile_gradient, [](double i) { return !std::isnan(i); });
@@ -255,6 +261,7 @@ private:
     WeighedCopy& copy_;
     MobilityResult& result_;
     const SolveFlow& solve_;
+    const WatchRamp& watch_;
     double moved_, longest_hold_, strength_;
     std::vector<Vec3> rest_; ///< where the fines rested
     RefinedRamp ramp_;
@@ -264,14 +271,15 @@ private:
 } // namespace
 
 MobilityResult find_mobility(
-    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse
+    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse,
+    const WatchRamp& watch
 ) {
     check(equilibrium, setting);
     WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.motion);
     MobilityResult result = describe(equilibrium, setting, copy);
     check_heave(result, setting);
     lay_to_rest(copy, setting.gravity.down, pulse, result);
-    Climb(copy, setting, solve, result).go(pulse);
+    Climb(copy, setting, solve, watch, result).go(pulse);
     result.ramp_steps = copy.steps() - result.rest_steps;
     result.time_step = copy.time_step();
     result.moves_1 = gradient_that_moves(result, 0.01);

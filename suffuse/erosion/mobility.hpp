@@ -30,6 +30,9 @@ struct UnitSeepage {
 /// Solves the flow through the copy as it is.
 using SolveFlow = std::function<UnitSeepage(const dem::World& world)>;
 
+/// Sees the ramp as it goes: the steps that are kept, and the one that is held, so far.
+using WatchRamp = std::function<void(std::span<const MobilityStep> kept, const MobilityStep& held)>;
+
 struct MobilitySetting {
     Gravity gravity;
     flow::Fluid fluid;
@@ -41,7 +44,8 @@ struct MobilitySetting {
 
 /// @throws CaseError, StateError for a setting or sample that cannot be; and what `solve` throws
 MobilityResult find_mobility(
-    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {}
+    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {},
+    const WatchRamp& watch = {}
 );
 
 /// Enters which of the mobile fines also leave. @param passes a row a fine grain of the result

@@ -96,6 +96,32 @@ TEST(Mobility, ReportsTheGradientThatItHolds) {
     EXPECT_EQ(parts, (std::vector<std::string>{"rest", "gradient 0.001, 1 of 2", "gradient 0.0025, 2 of 2"}));
 }
 
+TEST(Mobility, ShowsItsCurveAsItGoes) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.9 / unit, 1.1 / unit}};
+    std::size_t most_kept = 0;
+    std::vector<MobilityStep> held;
+    std::vector<std::vector<MobilityStep>> kept;
+    const MobilityResult result = find_mobility(
+        pocket.world, setting, pull_along(pocket, setting.direction), {},
+        [&](std::span<const MobilityStep> ramp, const MobilityStep& step) {
+            EXPECT_GE(ramp.size(), most_kept);
+            most_kept = ramp.size();
+            kept.emplace_back(ramp.begin(), ramp.end());
+            held.push_back(step);
+        }
+    );
+    ASSERT_FALSE(held.empty());
+    EXPECT_EQ(most_kept + 1, result.ramp.size());
+    for (std::size_t k = 0; k < most_kept; ++k) {
+        EXPECT_EQ(kept.back()[k].gradient, result.ramp[k].gradient);
+        EXPECT_EQ(kept.back()[k].mobile_mass_share, result.ramp[k].mobile_mass_share);
+    }
+    EXPECT_EQ(held.back().gradient, result.ramp.back().gradient);
+    EXPECT_EQ(held.back().mobile_mass_share, 1); // the only fine grain has moved
+    EXPECT_EQ(held.front().mobile_mass_share, 0);
+}
+
 TEST(Mobility, OfAGrainInAPocketIsNotReachedDownward) {
     EXPECT_TRUE(std::isnan(pull_that_moves(Pocket(1), {0, 0, -1}, {1 / unit, 2 / unit, 5 / unit, 10 / unit})));
 }

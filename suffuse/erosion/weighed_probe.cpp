@@ -11,7 +11,7 @@ namespace suffuse::erosion {
 
 MobilityResult weigh_fines(
     const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
-    const ProbeSpec& probe, const Surroundings& around
+    const ProbeSpec& probe, const Surroundings& around, const WatchRamp& watch
 ) {
     flow::SolverChoice how = probe.flow;
     if (flow::resolves(how)) {
@@ -32,7 +32,7 @@ MobilityResult weigh_fines(
          .gradients = std::move(gradients),
          .motion = probe.weighed,
          .specified_gradient = specified},
-        solve, around.pulse
+        solve, around.pulse, watch
     );
 }
 
@@ -65,11 +65,13 @@ std::vector<std::uint32_t> mobile_rows(const dem::World& world, const MobilityRe
     return rows;
 }
 
-MobilityResult probe_mobility(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
+MobilityResult probe_mobility(
+    const dem::World& world, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch
+) {
     dem::World sorted = world;
     dem::sort_along_curve(sorted);
     MobilityResult mobility =
-        weigh_fines(sorted, spec.gradients, spec.specified_gradient, spec.direction, spec.probe, around);
+        weigh_fines(sorted, spec.gradients, spec.specified_gradient, spec.direction, spec.probe, around, watch);
     try {
         mark_leaving(sorted, measure_coarse_skeleton(sorted, spec.direction, false), ConstrictionSize::Mean, mobility);
     } catch (const GeometryError&) {

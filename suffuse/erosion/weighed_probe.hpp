@@ -9,10 +9,10 @@
 namespace suffuse::erosion {
 
 /// Of the fines under `probe.gravity`, while the gradient rises through `gradients`.
-/// @param specified the gradient that the soil has to bear, if any
+/// @param specified the gradient that the soil has to bear, if any @param watch sees the ramp as it goes
 MobilityResult weigh_fines(
     const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
-    const ProbeSpec& probe, const Surroundings& around
+    const ProbeSpec& probe, const Surroundings& around, const WatchRamp& watch = {}
 );
 
 /// Enters which of the mobile fines leave. Where they travel that is not known before they do.
@@ -24,6 +24,8 @@ void mark_leaving(
 std::vector<std::uint32_t> mobile_rows(const dem::World& world, const MobilityResult& mobility);
 
 /// `do = "detach"` with weight: nothing is removed.
-MobilityResult probe_mobility(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);
+MobilityResult probe_mobility(
+    const dem::World& world, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch = {}
+);
 
 } // namespace suffuse::erosion

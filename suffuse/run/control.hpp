@@ -24,6 +24,9 @@ public:
     /// The axis whose strain is shown; z unless specified.
     void show_strain_of(int axis) { axis_ = axis; }
 
+    /// Numbers to show from the next beat on, where the stage measures others than those of its world.
+    void show_numbers(nlohmann::json numbers) { progress_.state = std::move(numbers); }
+
     /// Called between bursts. @throws Interrupted, after saving, on request or out of time.
     void beat(std::string_view part, long long steps, const dem::World* world = nullptr);
 

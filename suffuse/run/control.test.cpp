@@ -5,6 +5,7 @@
 #include "tests/support/worlds.hpp"
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace suffuse::run {
 namespace {
@@ -37,6 +38,25 @@ TEST(Control, ShowsTheStrainOfTheAxisThatIsCompressed) {
     EXPECT_NEAR(shown_strain(0), -std::log(0.98), 1e-15); // rounding
     EXPECT_NEAR(shown_strain(2), -std::log(1.01), 1e-15);
     EXPECT_EQ(shown_strain({}), shown_strain(2));
+}
+
+TEST(Control, ShowsOtherNumbersOfAStageFromTheNextBeatOnUntilTheStageEnds) {
+    std::vector<nlohmann::json> shown;
+    RunOptions options;
+    options.progress_interval = -1; // each beat is shown
+    options.on_progress = [&](const Progress& progress) { shown.push_back(progress.state); };
+    Overview overview(options);
+    Control control(overview, 1e9);
+    control.begin({});
+    control.show_numbers({{"mobility", 1}});
+    control.beat("ramp", 1);
+    control.beat("ramp", 2);
+    control.begin({});
+    ASSERT_EQ(shown.size(), 4U);
+    EXPECT_TRUE(shown[0].is_null());
+    EXPECT_EQ(shown[1].at("mobility"), 1);
+    EXPECT_EQ(shown[2].at("mobility"), 1);
+    EXPECT_TRUE(shown[3].is_null());
 }
 
 } // namespace

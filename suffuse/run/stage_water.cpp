@@ -27,6 +27,7 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace suffuse::run {
 namespace {
@@ -135,9 +136,23 @@ void do_flow(StageWork& work, const flow::FlowSpec& spec) {
 
 namespace {
 
+/// The curve as far as it is known: rows of `mobility` in stage.json, and the row of the gradient that is held.
+json ramp_to_show(std::span<const erosion::MobilityStep> kept, const erosion::MobilityStep& held) {
+    const auto point = [](const erosion::MobilityStep& step) -> json {
+        return {{"gradient", step.gradient}, {"mobile_mass_share", step.mobile_mass_share}};
+    };
+    json rows = json::array();
+    for (const erosion::MobilityStep& step : kept) {
+        rows.push_back(point(step));
+    }
+    return {{"mobility", rows}, {"held", point(held)}};
+}
+
 void detach_with_weight(StageWork& work, const erosion::DetachStageSpec& spec) {
+    const erosion::WatchRamp watch = [&](std::span<const erosion::MobilityStep> kept, const erosion::MobilityStep& held
+                                     ) { work.control.show_numbers(ramp_to_show(kept, held)); };
     const erosion::MobilityResult& mobility =
-        work.findings.mobility.emplace(erosion::probe_mobility(work.world, spec, work.surroundings()));
+        work.findings.mobility.emplace(erosion::probe_mobility(work.world, spec, work.surroundings(), watch));
     work.numbers.update(mobility_numbers(mobility));
     work.numbers.update(record::facts_json(facts::flow_source, mobility.flow));
     note_network(

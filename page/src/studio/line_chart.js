@@ -21,14 +21,16 @@ const kindOf = (k) => (k === 0 ? "mine" : `more more${((k - 1) % (kinds - 1)) + 
 /**
  * @param series [{ name, points: [[x, y], ...], dots: [[x, y], ...], level: y }, ...]; a level is a line over the whole width
  * @param names of x = 0, 1, 2, ... where x is no number @param width on the screen [px]: letters keep their size
+ * @param least height of a scale that begins at 0; 0: the scale fits the numbers
  * @return svg with a legend where there are several; empty for less than two points
  */
-export function seriesChart(series, xName, yName, { names = [], width = 640 } = {}) {
+export function seriesChart(series, xName, yName, { names = [], width = 640, least = 0 } = {}) {
   const box = { ...margins, width: Math.round(Math.max(260, Math.min(640, width))), height: width < 420 ? 200 : 260 };
   const shown = series.filter((s) => s.points?.length || s.dots?.length || Number.isFinite(s.level));
-  const points = shown.flatMap((s) => s.dots ?? s.points ?? []), levels = shown.map((s) => s.level).filter(Number.isFinite);
-  if (points.length < 2) return "";
-  const [x0, x1] = rangeOf(points.map((p) => p[0])), [y0, y1] = rangeOf([...points.map((p) => p[1]), ...levels]);
+  const points = shown.flatMap((s) => [...(s.points ?? []), ...(s.dots ?? [])]), levels = shown.map((s) => s.level).filter(Number.isFinite);
+  if (new Set(points.map(String)).size < 2) return "";
+  const [x0, x1] = rangeOf(points.map((p) => p[0])), [low, high] = rangeOf([...points.map((p) => p[1]), ...levels]);
+  const [y0, y1] = least ? [0, Math.max(least, high)] : [low, high];
   const x = (v) => box.left + ((v - x0) / (x1 - x0)) * (box.width - box.left - box.right);
   const y = (v) => box.height - box.bottom - ((v - y0) / (y1 - y0)) * (box.height - box.top - box.bottom);
   const parts = ticks(y0, y1).map((t) => `<path class="gr" d="M${box.left} ${y(t)}H${box.width - box.right}"/><text class="e" x="${box.left - 6}" y="${y(t) + 4.5}">${three(t)}</text>`);
@@ -47,5 +49,5 @@ export function seriesChart(series, xName, yName, { names = [], width = 640 } = 
   return `<svg viewBox="0 0 ${box.width} ${box.height}" role="img" aria-label="${escaped(yName)} over ${escaped(xName)}">${parts.join("")}</svg>${legend}`;
 }
 
-/** @param points [[x, y], ...] @param width on the screen [px] @return svg; empty for fewer than two points */
-export const lineChart = (points, xName, yName, width) => seriesChart([{ points }], xName, yName, { width });
+/** @param points [[x, y], ...] @param options those of `seriesChart` @return svg; empty for fewer than two points */
+export const lineChart = (points, xName, yName, options) => seriesChart([{ points }], xName, yName, options);

@@ -1,12 +1,14 @@
 // One run: live while it works, with what its stages measure; its report when it has ended.
 import { bytes, escaped, seconds, secondsRange, three, trouble } from "./words.js";
 import { get, post, runPath } from "./server.js";
-import { lineChart } from "./line_chart.js";
+import { lineChart, seriesChart } from "./line_chart.js";
 
 const names = {
   void_ratio: "void ratio", mean_stress: "mean stress [Pa]", deviator_stress: "deviator stress [Pa]", unbalanced_force: "unbalanced force", axial_strain: "axial strain",
 };
 const tests = new Set(["triaxial", "plane-strain", "oedometer", "cyclic", "stress-probe"]);
+const mobilityAxes = ["gradient i", "mass of the fines that moves [%]"];
+const pointOf = (row) => [row.gradient, 100 * row.mobile_mass_share];
 const nameOf = (key) => names[key] ?? key.replaceAll("_", " ");
 
 /** Reads the numbers of finished stages that are not among those measured, a few at a time. */
@@ -123,18 +125,25 @@ export class RunView {
   charts(running) {
     const parts = [], width = this.place.clientWidth;
     for (const [key, states] of this.seen) {
-      if (!running.has(key) || states.length < 2) continue;
-      const latest = states.at(-1), isTest = tests.has(latest.verb);
+      if (!running.has(key)) continue;
+      const latest = states.at(-1);
+      if (Array.isArray(latest.mobility) && latest.held) {
+        const held = pointOf(latest.held), points = latest.mobility.map(pointOf);
+        parts.push(`<h3>${escaped(key)}: i = ${three(held[0])} is held</h3>`, seriesChart([{ points, dots: [...points, held] }], ...mobilityAxes, { width, least: 1 }));
+        continue;
+      }
+      if (states.length < 2) continue;
+      const isTest = tests.has(latest.verb);
       const x = isTest ? "axial_strain" : "steps", y = isTest ? "deviator_stress" : "void_ratio";
       if (latest[y] === undefined) continue;
-      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y), width));
+      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y), { width }));
     }
     for (const [key, numbers] of this.measured) {
       const rows = numbers?.mobility;
       if (!Array.isArray(rows) || rows.length < 2 || numbers.verb !== "detach") continue;
       const at = numbers.critical_gradient?.["1 %"];
       parts.push(`<h3>${escaped(key)}: ${at ? `1 % of the fines move at i = ${three(at)}` : "less than 1 % of the fines move"}</h3>`,
-        lineChart(rows.map((r) => [r.gradient, 100 * r.mobile_mass_share]), "gradient i", "mass of the fines that moves [%]", width));
+        lineChart(rows.map(pointOf), ...mobilityAxes, { width, least: 1 }));
     }
     this.find(".charts").innerHTML = parts.join("");
   }
