@@ -171,6 +171,9 @@ void add_case_routes(httplib::Server& server, Studio& studio) {
     server.Get("/api/examples", [&](const auto&, auto& response) {
         answer(response, 200, {{"result", studio.examples}});
     });
+    server.Get("/api/keys", [&](const auto&, auto& response) {
+        answer_call(response, call_program({"schema"}, studio.folder));
+    });
     server.Get("/api/results", [&](const auto&, auto& response) {
         answer_call(response, call_program({"schema", "--results"}, studio.folder));
     });

@@ -13,6 +13,8 @@
 #include <csignal>
 #include <fstream>
 #include <functional>
+#include <regex>
+#include <tuple>
 #include <utility>
 
 namespace suffuse::studio {
@@ -30,6 +32,28 @@ bool holds_lock(const fs::path& process, const std::string& descriptor) {
         }
     }
     return false;
+}
+
+/// Each regular file in the folders of the stages of a run. Links are not followed.
+void for_each_file(const fs::path& run, const std::function<void(const fs::path&)>& see) {
+    constexpr int deepest = 8; // folders: a study, its swept keys, a replicate, a stage
+    constexpr int most = 1'000'000;
+    std::error_code error;
+    const fs::path root = run / "studies";
+    if (!fs::is_directory(fs::symlink_status(root, error))) {
+        return;
+    }
+    int count = 0;
+    for (fs::recursive_directory_iterator one(root, error), end; !error && one != end && count < most;
+         one.increment(error), ++count) {
+        std::error_code gone; // files of a run at work come and go
+        if (one.depth() >= deepest) {
+            one.disable_recursion_pending();
+        }
+        if (!one->is_symlink(gone) && one->is_regular_file(gone)) {
+            see(one->path());
+        }
+    }
 }
 
 } // namespace
@@ -73,26 +97,31 @@ std::vector<std::string> run_names(const fs::path& root) {
 }
 
 std::vector<std::string> finished_stages(const fs::path& run) {
-    constexpr int deepest = 8; // folders: a study, its swept keys, a replicate, a stage
-    constexpr std::size_t most = 100'000;
     std::vector<std::string> found;
-    std::error_code error;
-    const fs::path root = run / "studies";
-    if (!fs::is_directory(fs::symlink_status(root, error))) {
-        return found;
-    }
-    for (fs::recursive_directory_iterator one(root, error), end; !error && one != end && found.size() < most;
-         one.increment(error)) {
-        std::error_code gone;
-        const bool is_stage = fs::is_regular_file(fs::symlink_status(one->path() / "stage.json", gone));
-        if (one->is_symlink(gone) || is_stage || one.depth() >= deepest) {
-            one.disable_recursion_pending();
+    for_each_file(run, [&](const fs::path& file) {
+        if (file.filename() == "stage.json") {
+            found.push_back(file.parent_path().lexically_relative(run / "studies").string());
         }
-        if (is_stage && !one->is_symlink(gone)) {
-            found.push_back(one->path().lexically_relative(root).string());
-        }
-    }
+    });
     std::ranges::sort(found);
+    return found;
+}
+
+std::vector<GrainPicture> grain_pictures(const fs::path& run) {
+    constexpr std::size_t most = 200;
+    constexpr std::uintmax_t largest = std::uintmax_t{64} << 20; // [B]: half a million grains
+    static const std::regex name("(grains|strain-[0-9]+|pass-[0-9]+)[.]vtp");
+    std::vector<GrainPicture> found;
+    for_each_file(run, [&](const fs::path& file) {
+        std::error_code gone;
+        if (std::regex_match(file.filename().string(), name) && fs::file_size(file, gone) <= largest && !gone) {
+            found.push_back({file.lexically_relative(run).string(), fs::last_write_time(file, gone)});
+        }
+    });
+    std::ranges::sort(found, [](const GrainPicture& a, const GrainPicture& b) {
+        return std::tie(b.written, b.file) < std::tie(a.written, a.file);
+    });
+    found.resize(std::min(found.size(), most));
     return found;
 }
 

@@ -23,6 +23,15 @@ std::vector<std::string> run_names(const std::filesystem::path& root);
 /// tasks, too, which leave no events in the run's folder. Links are not followed.
 std::vector<std::string> finished_stages(const std::filesystem::path& run);
 
+/// A picture of grains that a stage has saved: docs/formats.md.
+struct GrainPicture {
+    std::string file; ///< below the run's folder
+    std::filesystem::file_time_type written;
+};
+
+/// The pictures of a run that a page can show, the newest first, at most some hundred. Links are not followed.
+std::vector<GrainPicture> grain_pictures(const std::filesystem::path& run);
+
 /// The folders of the runs that a program works on now.
 std::vector<std::filesystem::path> runs_at_work(const std::filesystem::path& root);
 

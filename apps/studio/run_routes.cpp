@@ -109,6 +109,13 @@ void add_run_routes(httplib::Server& server, Studio& studio) {
     });
     server.Get("/api/runs", [list](const auto&, auto& response) { answer_call(response, list->answer()); });
     server.Get("/api/runs/([^/]+)", [&](const auto& request, auto& response) { show_run(request, response, studio); });
+    server.Get("/api/runs/([^/]+)/pictures", [&](const auto& request, auto& response) {
+        json pictures = json::array();
+        for (const GrainPicture& picture : grain_pictures(find_run(studio.folder, request.matches[1]))) {
+            pictures.push_back({{"file", picture.file}, {"at", picture.written.time_since_epoch().count()}});
+        }
+        answer(response, 200, {{"result", pictures}});
+    });
     server.Get("/runs/([^/]+)/(.+)", [&](const auto& request, auto& response) {
         show_file(request, response, studio);
     });

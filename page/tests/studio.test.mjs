@@ -121,6 +121,79 @@ test("the curve of mobility grows while its stage is at work", async () => {
   await context.close();
 });
 
+test("grains in 3D while a run is at work: the newest state, turned by the keyboard, kept as it was turned", async () => {
+  const { page, context, complaints } = await open("#simulate");
+  await page.selectOption("#from", "laboratory");
+  await page.click("#make");
+  await page.waitForFunction(() => document.getElementById("case").value.includes("formats = []"));
+  await page.locator("#case").fill((await page.inputValue("#case")).replace("formats = []", 'formats = ["vtp"]\nsnapshots = { every = "1 %" }').replace(/void_ratio.*\n/g, ""));
+  await page.waitForFunction(() => !document.getElementById("start").disabled);
+  await page.locator("#name").fill("grains");
+  await page.click("#start");
+  await page.waitForSelector("#live .grains summary");
+  await page.locator("#live .grains summary").focus();
+  await page.keyboard.press("Enter");
+  await page.waitForFunction(() => Number(document.querySelector("#live .picture").dataset.frames) > 0);
+  const state = () => page.textContent("#live .grains p"), first = await state();
+  assert.match(first, /: 2,000 grains\.$/);
+  await page.locator("#live .picture").focus();
+  const frames = await page.evaluate(() => Number(document.querySelector("#live .picture").dataset.frames));
+  await page.keyboard.press("ArrowLeft");
+  await page.waitForFunction((n) => Number(document.querySelector("#live .picture").dataset.frames) > n, frames);
+  await page.waitForFunction((text) => document.querySelector("#live .grains p").textContent !== text, first);
+  assert.equal(await page.locator("#live .picture canvas").count(), 1);
+  await page.locator("#live .grains").scrollIntoViewIfNeeded();
+  await picture(page, "grains");
+  await page.locator("#live .grains select").selectOption({ index: 1 });
+  assert.deepEqual(await nameless(page), []);
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  await page.click("#live >> text=Stop and save");
+  await page.waitForSelector("#live >> text=Resume");
+  assert.deepEqual(complaints.filter((one) => !/GPU stall|WebGL/.test(one)), []);
+  await context.close();
+});
+
+test("a laboratory test is a form of its keys, and becomes a stage of the case", async () => {
+  const { page, context, complaints } = await open("#simulate");
+  await page.selectOption("#from", "laboratory");
+  await page.click("#make");
+  await page.waitForFunction(() => document.getElementById("case").value.includes("formats = []") && !document.getElementById("start").disabled);
+  await page.click("text=Add a laboratory test");
+  await page.waitForSelector("#test-key-path", { state: "attached" });
+  for (const verb of ["triaxial", "plane-strain", "oedometer", "isotropic", "shear", "cyclic"]) {
+    await page.selectOption("#test-verb", verb);
+    assert.deepEqual(await nameless(page), [], verb);
+    const needed = await page.locator("#test-keys [required]").count();
+    assert.equal(needed, verb === "oedometer" || verb === "isotropic" ? 1 : 0, verb);
+    if (needed) {
+      await page.click("#test-add");
+      await page.waitForFunction(() => document.getElementById("trouble").textContent.includes("needs its stresses"));
+      await page.locator("#test-key-stresses").fill("200 kPa, 100 kPa");
+    }
+    if (verb === "cyclic") {
+      await page.locator("#test-key-csr").fill("0.3");
+      await page.selectOption("#test-key-drainage", "undrained");
+      await page.evaluate(() => window.scrollTo(0, document.getElementById("tests").offsetTop));
+      await picture(page, "test-form");
+    }
+    await page.click("#test-add");
+    await page.waitForFunction((name) => document.getElementById("case").value.includes(`name = "${name}-`) || document.getElementById("case").value.includes(`name = "${name}"`), verb);
+  }
+  const text = await page.inputValue("#case");
+  assert.ok(text.includes('[[study.sand.stage]]\nname = "cyclic-2"\nfrom = "initial"\ndo = "cyclic"\ndrainage = "undrained"\ncsr = 0.3\n'), text);
+  assert.ok(text.includes('do = "oedometer"\nstresses = ["200 kPa", "100 kPa"]\n'));
+  await page.waitForFunction(() => document.querySelectorAll("#stages tbody tr").length === 17 && !document.getElementById("start").disabled);
+  await page.locator("#test-key-csr").fill("much");
+  await page.click("#test-add");
+  const line = (await page.inputValue("#case")).split("\n").findIndex((one) => one === 'csr = "much"') + 1;
+  await page.waitForSelector(`#problems button[data-line="${line}"]`);
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 390);
+  assert.deepEqual(complaints.filter((one) => !one.includes("422")), []);
+  await context.close();
+});
+
 test("runs: searched, their report in a frame without rights, two compared, one deleted after a question", async () => {
   const { page, context, complaints } = await open("#runs");
   await page.waitForSelector("#run-table tbody tr");

@@ -73,7 +73,7 @@ test("a sweep of friction: priced, an error at its line, watched, stopped, resum
 test("another number and another stage are chosen by the keyboard, and stay chosen", async () => {
   const { page, context, complaints } = await open("#sweep/friction-0001");
   await page.waitForSelector("#sweep-live .multiples svg");
-  await page.locator("#sweep-live summary").focus();
+  await page.locator("#sweep-live .report summary").focus();
   await page.keyboard.press("Enter");
   await page.locator('#sweep-live .choices input[value="coordination"]').focus();
   await page.keyboard.press("Space");
@@ -111,7 +111,7 @@ test("tasks for a cluster: the script to copy, and its samples gathered", async 
 test("on a phone and in the dark nothing of a sweep is cut off", async () => {
   const { page, context } = await open("#sweep/friction-0001", { viewport: { width: 390, height: 844 }, colorScheme: "dark" });
   await page.waitForSelector("#sweep-live .multiples svg");
-  await page.locator("#sweep-live summary").click();
+  await page.locator("#sweep-live .report summary").click();
   const width = await page.evaluate(() => document.documentElement.scrollWidth);
   assert.ok(width <= 390, `${width} wide`);
   await page.locator("#sweep-live").scrollIntoViewIfNeeded();

@@ -3,123 +3,18 @@
 Each test starts the real program on a folder of its own and speaks HTTP to it, byte by byte where a browser would not.
 """
 import concurrent.futures
-import http.client
 import json
-import os
 import pathlib
-import re
 import signal
 import socket
-import subprocess
-import sys
-import tempfile
-import time
-import unittest
-import uuid
 
-PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-CURVE = "d [mm],passing [%]\n0.25,0\n0.3,10\n0.36,18\n0.40,20\n0.9,21\n1.1,45\n1.3,75\n1.5,100\n"
-REPLAY = ["new", "replay", "--from", "replay"]
-
-
-def form(fields):
-    """Body and type of a multipart form; a field is text, or a pair of a file's name and its bytes."""
-    mark = uuid.uuid4().hex
-    body = b""
-    for name, value in fields.items():
-        file, content = value if isinstance(value, tuple) else (None, value)
-        content = content.encode() if isinstance(content, str) else content
-        named = f'; filename="{file}"' if file else ""
-        body += f'--{mark}\r\nContent-Disposition: form-data; name="{name}"{named}\r\n\r\n'.encode() + content + b"\r\n"
-    return body + f"--{mark}--\r\n".encode(), f"multipart/form-data; boundary={mark}"
-
-
-class Studio:
-    """The program in a folder, and a client that has its cookie."""
-
-    def __init__(self, folder, *words):
-        self.folder = folder
-        environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
-        environment["TMPDIR"] = str(folder / "temporary")  # a studio that is killed leaves its files there
-        (folder / "temporary").mkdir(exist_ok=True)
-        self.error = open(folder / "studio-error.txt", "w+")
-        self.process = subprocess.Popen([PROGRAM, "studio", *words], cwd=folder, stdout=subprocess.PIPE,
-                                        stderr=self.error, text=True, env=environment)
-        address = self.process.stdout.readline().strip()
-        if not address:
-            return
-        self.port, self.token = re.fullmatch(r"http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{64})", address).groups()
-        self.port = int(self.port)
-        self.cookie = f"suffuse-studio-{self.port}={self.token}"
-
-    def request(self, method, path, body=None, headers=None, cookie=True):
-        connection = http.client.HTTPConnection("127.0.0.1", self.port, timeout=120)
-        given = {"Cookie": self.cookie} if cookie else {}
-        given.update(headers or {})
-        connection.request(method, path, body, given)
-        answer = connection.getresponse()
-        answer.text = answer.read()
-        connection.close()
-        return answer
-
-    def get(self, path, **more):
-        return self.request("GET", path, **more)
-
-    def get_json(self, path):
-        return json.loads(self.get(path).text)
-
-    def post(self, path, fields=None, headers=None, **more):
-        body, kind = form(fields or {"nothing": ""})
-        return self.request("POST", path, body, {"Content-Type": kind, **(headers or {})}, **more)
-
-    def raw(self, text):
-        """The first line of the answer to these bytes."""
-        with socket.create_connection(("127.0.0.1", self.port), timeout=30) as connection:
-            connection.sendall(text)
-            return connection.makefile("rb").readline().decode().strip()
-
-    def end(self, how=signal.SIGINT):
-        if self.process.poll() is None:
-            self.process.send_signal(how)
-        self.process.wait(60)
-        self.process.stdout.close()
-        self.error.seek(0)
-        words = self.error.read()
-        self.error.close()
-        return words
-
-
-class InAFolder(unittest.TestCase):
-    def setUp(self):
-        kept = tempfile.TemporaryDirectory()
-        self.addCleanup(kept.cleanup)
-        self.folder = pathlib.Path(kept.name)
-        self.runs = self.folder / "runs"
-
-    def studio(self, *words):
-        studio = Studio(self.folder, "--no-browser", *words)
-        self.addCleanup(lambda: studio.error.closed or studio.end(signal.SIGKILL))
-        return studio
-
-    def suffuse(self, *words):
-        return subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, check=True)
-
-    def finished_run(self):
-        self.suffuse(*REPLAY)
-        self.suffuse("run", "replay/case.toml", "-q")
-        return "replay-0001"
-
-    def wait(self, what, is_true):
-        end = time.monotonic() + 120
-        while not is_true():
-            self.assertLess(time.monotonic(), end, what)
-            time.sleep(0.05)
+from studio_process import CURVE, InAFolder, main
 
 
 class Refusals(InAFolder):
     def test_nothing_is_answered_without_the_token_or_the_cookie(self):
         studio = self.studio()
-        for path in ("/", "/studio.js", "/api/runs", "/runs/a/report.html", "/no-such-thing", "/?token=", "/?token=" + "0" * 64):
+        for path in ("/", "/studio.js", "/api/runs", "/api/names", "/api/keys", "/api/results", "/runs/a/report.html", "/no-such-thing", "/?token=", "/?token=" + "0" * 64):
             self.assertEqual(studio.get(path, cookie=False).status, 401, path)
         self.assertEqual(studio.post("/api/assess", cookie=False).status, 401)
         for cookie in ("", "suffuse-studio-1=" + studio.token, f"suffuse-studio-{studio.port}=" + "0" * 64,
@@ -351,6 +246,12 @@ class Runs(InAFolder):
             self.assertEqual(answer.status, 200, name)
             self.assertIn("schema = 1", json.loads(answer.text)["result"]["case"], name)
 
+    def test_the_form_of_a_test_has_the_keys_of_the_program(self):
+        keys = [key for key in self.studio().get_json("/api/keys")["result"]["keys"] if key["table"] == "stage.oedometer"]
+        by_program = json.loads(self.suffuse("schema", "--json").stdout)["keys"]
+        self.assertEqual(keys, [key for key in by_program if key["table"] == "stage.oedometer"])
+        self.assertEqual([key["name"] for key in keys if key["required"]], ["stresses"])
+
     def test_an_error_of_a_case_has_its_line(self):
         studio = self.studio()
         case = self.case(studio)
@@ -400,6 +301,23 @@ class Runs(InAFolder):
         studio.post("/api/runs/dam-north-0001/stop")
         self.wait("the run saves itself", lambda: not studio.get_json("/api/runs/dam-north-0001")["at_work"])
 
+    def test_the_pictures_of_grains_are_listed_newest_first_and_none_behind_a_link(self):
+        run = self.finished_run()
+        studio = self.studio()
+        pictures = [picture["file"] for picture in studio.get_json(f"/api/runs/{run}/pictures")["result"]]
+        stages = ("seep", "compressed", "settled", "start")
+        self.assertEqual(pictures, [f"studies/replay/{stage}/grains.vtp" for stage in stages])
+        self.assertTrue(studio.get(f"/runs/{run}/{pictures[0]}").text.startswith(b"<?xml"))
+        secret = self.folder / "grains.vtp"
+        secret.write_text("secret")
+        stage = self.runs / run / "studies/replay/seep"
+        (stage / "strain-0001.vtp").symlink_to(secret)
+        (stage / "own.vtp").write_text("not a picture of grains")
+        self.assertEqual([p["file"] for p in studio.get_json(f"/api/runs/{run}/pictures")["result"]], pictures)
+        self.assertEqual(studio.get(f"/runs/{run}/studies/replay/seep/strain-0001.vtp").status, 404)
+        self.assertEqual(studio.get(f"/api/runs/{run}/pictures", cookie=False).status, 401)
+        self.assertEqual(studio.get("/api/runs/..%2Fsecret/pictures").status, 404)
+
     def test_two_runs_are_compared(self):
         run = self.finished_run()
         self.suffuse("run", "replay/case.toml", "-q")
@@ -407,118 +325,5 @@ class Runs(InAFolder):
         self.assertTrue(answer["result"])
 
 
-class Sweeps(InAFolder):
-    LINE = 'sweep = { "contact.friction" = ["20 deg", "35 deg"] }'
-
-    def case(self, studio, line=LINE):
-        made = json.loads(studio.post("/api/new", {"from": "replay"}).text)["result"]
-        text = made["case"].replace("[study.replay]\n", f"[study.replay]\n{line}\n")
-        self.assertIn(line, text)
-        return {"name": "Friction", "case": text, **{"file:" + name: text for name, text in made["files"].items()}}
-
-    def swept(self, studio):
-        started = studio.post("/api/start", self.case(studio))
-        self.assertEqual(started.status, 201, started.text)
-        name = json.loads(started.text)["run"]
-        self.wait("the sweep ends", lambda: not studio.get_json(f"/api/runs/{name}")["at_work"])
-        return name
-
-    def test_a_sweep_is_priced_by_its_samples_and_is_an_ordinary_run(self):
-        studio = self.studio()
-        plan = json.loads(studio.post("/api/plan", self.case(studio)).text)["result"]
-        samples = ["replay/friction=20deg", "replay/friction=35deg"]
-        self.assertEqual([sample["sample"] for sample in plan["samples"]], samples)
-        name = self.swept(studio)
-        self.suffuse("verify", f"runs/{name}")
-        done = studio.get_json(f"/api/runs/{name}")["done"]
-        self.assertEqual(done, sorted(f"{sample}/{stage}" for sample in samples for stage in ("start", "settled", "compressed", "seep")))
-        for stage in done:
-            numbers = studio.get_json(f"/runs/{name}/studies/{stage}/stage.json")
-            self.assertEqual(f"{numbers['sample']}/{numbers['stage']}", stage)
-
-    def test_every_number_of_the_table_has_the_unit_that_the_program_gives(self):
-        units = {fact["key"]: fact["unit"] for fact in self.studio().get_json("/api/results")["result"]["results"]}
-        self.assertEqual((units["void_ratio"], units["mean_stress"], units["friction_angle"]), ("-", "Pa", "rad"))
-
-    def test_an_error_of_a_swept_value_has_its_line_and_leaves_nothing(self):
-        studio = self.studio()
-        case = self.case(studio, 'sweep = { "contact.friction" = ["20 deg", "35 dg"] }')
-        at = case["case"].splitlines().index('sweep = { "contact.friction" = ["20 deg", "35 dg"] }') + 1
-        for path in ("/api/check", "/api/plan", "/api/start", "/api/slurm"):
-            answer = studio.post(path, case)
-            self.assertEqual(answer.status, 422, answer.text)
-            self.assertIn(at, [p["line"] for p in json.loads(answer.text)["error"]["problems"]], path)
-        self.assertEqual(studio.get_json("/api/names")["result"], [])
-        self.assertEqual([path.name for path in self.runs.iterdir() if path.name != "suffuse-cache"], [])
-
-    def test_tasks_for_a_cluster_are_those_of_the_program_and_are_gathered(self):
-        studio = self.studio()
-        answer = studio.post("/api/slurm", {**self.case(studio), "threads": "2", "time-limit": "1h"})
-        self.assertEqual(answer.status, 201, answer.text)
-        written = json.loads(answer.text)
-        run = self.runs / written["run"]
-        self.assertEqual((written["run"], written["tasks"]), ("friction-0001", 2))
-        self.assertEqual(written["script"], (run / "sweep.sbatch").read_text())
-        self.assertIn("#SBATCH --array=1-2", written["script"])
-        self.assertIn("#SBATCH --cpus-per-task=2", written["script"])
-        path = f"/api/runs/{written['run']}"
-        self.assertTrue(studio.get_json(path)["tasks"])
-        first, second = (run / "tasks.txt").read_text().splitlines()
-        subprocess.run(first, shell=True, check=True, capture_output=True)
-        self.assertEqual({stage.split("/")[1] for stage in studio.get_json(path)["done"]}, {"friction=20deg"})
-        self.assertEqual(json.loads(studio.post(path + "/collect").text)["result"]["done"], 1)
-        rest = json.loads(studio.post(path + "/slurm").text)
-        self.assertEqual(rest["tasks"], 1)
-        self.assertEqual((run / "tasks.txt").read_text().split(" -j ")[0], second.split(" -j ")[0])
-        subprocess.run(second, shell=True, check=True, capture_output=True)
-        gathered = json.loads(studio.post(path + "/collect").text)["result"]
-        self.assertEqual((gathered["done"], gathered["unfinished"]), (2, []))
-        self.assertEqual(studio.post(path + "/slurm").status, 409)
-
-    def test_tasks_are_written_and_gathered_by_whoever_may_start_runs_alone(self):
-        studio = self.studio()
-        case = self.case(studio)
-        secret = self.folder / "secret"
-        secret.mkdir()
-        (self.folder / "secret" / "case.resolved.toml").write_text("")
-        (self.runs / "linked").symlink_to(secret)
-        self.assertEqual(studio.post("/api/slurm", case, cookie=False).status, 401)
-        self.assertEqual(studio.post("/api/slurm", case, headers={"Origin": "http://evil.example"}).status, 403)
-        self.assertEqual(studio.post("/api/slurm", case, headers={"Host": "evil.example"}).status, 403)
-        self.assertEqual(studio.get("/api/slurm").status, 404)
-        for what in ("slurm", "collect"):
-            self.assertEqual(studio.post(f"/api/runs/linked/{what}").status, 404)
-            self.assertEqual(studio.post(f"/api/runs/..%2Fsecret/{what}").status, 404)
-            self.assertEqual(studio.get(f"/api/runs/linked/{what}").status, 404)
-            self.assertEqual(studio.post(f"/api/runs/linked/{what}", cookie=False).status, 401)
-        for threads in (f"2 --output={secret}/tasks", "0", "-1"):
-            self.assertEqual(studio.post("/api/slurm", {**case, "threads": threads}).status, 422, threads)
-        self.assertEqual(studio.post("/api/slurm", {**case, "file:../x": "1"}).status, 400)
-        self.assertEqual([path.name for path in secret.iterdir()], ["case.resolved.toml"])
-        self.assertEqual(studio.get_json("/api/names")["result"], [])
-
-    def test_stages_behind_a_link_do_not_count(self):
-        studio = self.studio()
-        name = self.swept(studio)
-        done = studio.get_json(f"/api/runs/{name}")["done"]
-        elsewhere = self.folder / "elsewhere"
-        (elsewhere / "stage").mkdir(parents=True)
-        (elsewhere / "stage" / "stage.json").write_text("{}")
-        (self.runs / name / "studies" / "linked").symlink_to(elsewhere)
-        (self.runs / name / "studies" / "replay" / "linked").symlink_to(elsewhere / "stage")
-        self.assertEqual(studio.get_json(f"/api/runs/{name}")["done"], done)
-        self.assertEqual(studio.get(f"/runs/{name}/studies/linked/stage/stage.json").status, 404)
-
-    def test_a_sweep_is_compared_with_another_one_and_with_a_run(self):
-        run = self.finished_run()
-        studio = self.studio()
-        first, second = self.swept(studio), self.swept(studio)
-        self.assertEqual(studio.get_json(f"/api/compare/{first}/{second}")["result"]["differences"], [])
-        self.assertTrue(studio.get_json(f"/api/compare/{first}/{run}")["result"])
-
-
 if __name__ == "__main__":
-    if not any((PROGRAM.parent / page / "studio.html").exists() for page in ("../../report-page", "../share/suffuse/report-page")):
-        print("npm has not built the studio's page; ./test does")
-        sys.exit(77)
-    unittest.main()
+    main()

@@ -5,7 +5,8 @@ import { SceneView } from "./view.js";
 
 const turnStep = 0.12; // [rad] a key
 
-function addKeys(view, stage) {
+/** Keys for a view, on the element `picture` that has the focus. */
+export function addKeys(view, picture) {
   const keys = {
     ArrowLeft: () => view.turn(-turnStep, 0),
     ArrowRight: () => view.turn(turnStep, 0),
@@ -15,10 +16,10 @@ function addKeys(view, stage) {
     "=": () => view.zoom(1.15),
     "-": () => view.zoom(1 / 1.15),
     Home: () => view.home(),
-    Enter: () => view.choose({ chosen: view.pick(stage.clientWidth / 2, stage.clientHeight / 2) }),
+    Enter: () => view.choose({ chosen: view.pick(picture.clientWidth / 2, picture.clientHeight / 2) }),
     Escape: () => view.choose({ chosen: -1 }),
   };
-  stage.addEventListener("keydown", (event) => {
+  picture.addEventListener("keydown", (event) => {
     if (!keys[event.key] || event.ctrlKey || event.altKey || event.metaKey) return;
     event.preventDefault();
     keys[event.key]();

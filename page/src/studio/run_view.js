@@ -1,10 +1,11 @@
 // One run: live while it works, with what its stages measure; its report when it has ended.
 import { bytes, escaped, seconds, secondsRange, three, trouble } from "./words.js";
 import { get, post, runPath } from "./server.js";
+import { GrainsView } from "./grains_view.js";
 import { lineChart, seriesChart } from "./line_chart.js";
 
 const names = {
-  void_ratio: "void ratio", mean_stress: "mean stress [Pa]", deviator_stress: "deviator stress [Pa]", unbalanced_force: "unbalanced force", axial_strain: "axial strain",
+  void_ratio: "void ratio", mean_stress: "mean stress [kPa]", deviator_stress: "deviator stress [kPa]", unbalanced_force: "unbalanced force", axial_strain: "axial strain",
 };
 const tests = new Set(["triaxial", "plane-strain", "oedometer", "cyclic", "stress-probe"]);
 const mobilityAxes = ["gradient i", "mass of the fines that moves [%]"];
@@ -28,7 +29,7 @@ export class RunView {
     this.place = place;
     this.changed = changed;
     this.name = "";
-    this.parts = ["charts", "stages tw"]; // of the run, one below the other
+    this.parts = ["charts", "grains", "stages tw"]; // of the run, one below the other
   }
 
   /** Shows a run, and follows it while it works. */
@@ -40,11 +41,14 @@ export class RunView {
     this.isReportShown = false;
     this.hasWorked = false;
     this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
+    this.grains?.close();
+    this.grains = new GrainsView(this.find(".grains"), name);
     return this.poll();
   }
 
   close() {
     clearTimeout(this.timer);
+    this.grains?.close();
     this.name = "";
     this.place.innerHTML = "";
   }
@@ -90,23 +94,25 @@ export class RunView {
     this.find(".state").innerHTML = run.at_work
       ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts"><span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
       : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}, after ${seconds(last.wall_seconds)}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
+    this.grains.isAtWork = run.at_work;
     this.buttons(run, outcome);
     this.body(run, { done, failed, running });
   }
 
   /** What is below the buttons: the stages and what they measure; the report in their place when it is there. */
   body(run, { done, failed, running }) {
-    const isOver = !run.at_work;
+    const isOver = !run.at_work, isReported = isOver && run.report;
+    this.find(".grains").hidden = isReported; // the report has its own view
     const stages = run.plan?.stages ?? [];
     const state = (key) => (failed.has(key) ? ["no", "✗ failed"] : done.has(key) ? ["ok", `✓ ${seconds(done.get(key))}`] : running.has(key) && run.at_work ? ["", "at work"] : ["un", "waits"]);
-    if (!isOver || !run.report) {
+    if (!isReported) {
       this.find(".stages").innerHTML = `<table><thead><tr><th>stage</th><th>does</th><th class="n">planned</th><th>state</th></tr></thead><tbody>${stages.map((s) => {
         const key = `${s.study}/${s.stage}`, [kind, text] = state(key);
         return `<tr><td>${escaped(key)}<small>${escaped(failed.get(key) ?? "")}</small></td><td>${escaped(s.verb)}</td><td class="n">${secondsRange(s.seconds)}</td><td class="${kind}">${text}</td></tr>`;
       }).join("")}</tbody></table>`;
       this.charts(running);
     }
-    if (isOver && run.report && !this.isReportShown) {
+    if (isReported && !this.isReportShown) {
       this.isReportShown = true;
       this.find(".stages").innerHTML = "";
       this.find(".charts").innerHTML = "";
@@ -136,7 +142,7 @@ export class RunView {
       const isTest = tests.has(latest.verb);
       const x = isTest ? "axial_strain" : "steps", y = isTest ? "deviator_stress" : "void_ratio";
       if (latest[y] === undefined) continue;
-      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y]]), nameOf(x), nameOf(y), { width }));
+      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y] * (isTest ? 1e-3 : 1)]), nameOf(x), nameOf(y), { width }));
     }
     for (const [key, numbers] of this.measured) {
       const rows = numbers?.mobility;

@@ -3,6 +3,7 @@ import { $, escaped, list, secondsRange, trouble } from "./words.js";
 import { get, post } from "./server.js";
 import { CaseEditor } from "./case_editor.js";
 import { RunView } from "./run_view.js";
+import { connectTests, offerTests } from "./test_form.js";
 import { conditionFields, curveFields, showSizes, soil } from "./soil.js";
 
 /** What is known of an example beyond its name. */
@@ -68,7 +69,8 @@ export function openSimulate() {
 
 export function connectSimulate() {
   view = new RunView($("live"));
-  editor = new CaseEditor("", planned);
+  editor = new CaseEditor("", planned, offerTests);
+  connectTests(editor);
   get("/api/examples").then(({ result }) => {
     $("from").innerHTML += result.map((name) => `<option value="${escaped(name)}">${escaped(name)}${titles[name] ? `: ${titles[name]}` : ""}</option>`).join("");
   }, trouble);

@@ -5,7 +5,7 @@ import { CaseEditor } from "./case_editor.js";
 import { compareRuns } from "./compare_view.js";
 import { SweepView } from "./sweep_view.js";
 import { caseNow, titles } from "./simulate.js";
-import { keysOf, studiesOf, sweepLine, valuesOf, withSweep } from "./sweep_text.js";
+import { keysOf, studiesOf, sweepLine, valuesOf, withSweep } from "./case_text.js";
 
 let view, editor, current = "";
 

@@ -24,7 +24,7 @@ const unitIn = (known) => (path) => {
 export class SweepView extends RunView {
   constructor(place, changed) {
     super(place, changed);
-    this.parts = ["stages tw", "charts"];
+    this.parts = ["stages tw", "charts", "grains"];
   }
 
   show(name) {
@@ -81,7 +81,7 @@ export class SweepView extends RunView {
     this.drawn = key;
     this.find(".report").innerHTML = `<div class="pair"><label class="in">Numbers of the stage <select data-choice="stage">${stages.map((stage) => `<option${stage === this.stage ? " selected" : ""}>${escaped(stage)}</option>`).join("")}</select></label></div>
 <details${this.isOpen ? " open" : ""}><summary>Choose the numbers that are shown</summary><div class="choices">${all.map((name) => `<label><input type="checkbox" value="${escaped(name)}"${numbers.includes(name) ? " checked" : ""}> ${escaped(numberName(name))}</label>`).join("")}</div></details>`;
-    this.find("details").addEventListener("toggle", () => { this.isOpen = this.find("details").open; });
+    this.find(".report details").addEventListener("toggle", () => { this.isOpen = this.find(".report details").open; });
     this.find("[data-choice]").addEventListener("change", (event) => {
       this.stage = event.target.value;
       this.numbers = null;

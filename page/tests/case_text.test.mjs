@@ -1,8 +1,7 @@
-// The sweep of a study as it is written into the text of a case.
+// A sweep and a further stage as they are written into the text of a case.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { keysOf, studiesOf, sweepLine, valuesOf, withSweep } from "../src/studio/sweep_text.js";
+import { keysOf, listToml, stageText, stagesOf, studiesOf, sweepLine, valuesOf, withStage, withSweep } from "../src/studio/case_text.js";
 
 const text = `[contact]
 law      = "linear-rolling"
@@ -51,4 +50,19 @@ test("a sweep takes the place of the one before, and nothing else changes", () =
   assert.ok(withSweep(text, "main", rows, "3").includes(`soil  = "sand"\n${line}\nreplicates = 3\n\n[[study.main.stage]]`));
   assert.ok(withSweep(text, "other", rows).endsWith(`[study."other"]\nsoil = "sand"\n${line}\n`));
   assert.throws(() => withSweep(text, "third", rows), /\[study.third\]/);
+});
+
+test("a further stage comes behind those of its study, before what follows them", () => {
+  assert.deepEqual(stagesOf(text, "main"), [{ name: "initial", verb: "compact", keys: ["name", "do", "pressure"] }]);
+  const stage = stageText("main", [["name", '"test"'], ["stresses", listToml("800 kPa, 50 kPa")]]);
+  const added = '[[study.main.stage]]\nname = "test"\nstresses = ["800 kPa", "50 kPa"]';
+  assert.equal(stage, added);
+  const after = 'pressure = "100 kPa"\n', { text: changed, line } = withStage(text, "main", stage);
+  assert.equal(changed, text.replace(after, `${after}\n${added}\n`));
+  assert.equal(changed.split("\n")[line - 1], "[[study.main.stage]]");
+  const commented = text.replace('[study."other"]', '# what follows\n[study."other"]');
+  assert.ok(withStage(commented, "main", stage).text.includes(`${added}\n\n# what follows\n`));
+  const nested = text.replace('[study."other"]', '[study.main.stage.prepare]\nfriction = 1\n\n[study."other"]');
+  assert.ok(withStage(nested, "main", stage).text.includes(`friction = 1\n\n${added}\n\n[study."other"]`));
+  assert.throws(() => withStage(text, "other", stage), /has no stage/);
 });

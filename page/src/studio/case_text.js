@@ -1,4 +1,4 @@
-// The sweep of a study in the text of a case: what can be swept, and the line that sweeps it.
+// The text of a case: its studies and stages, what a study can sweep, the line that sweeps it, and a further stage.
 
 const header = (line) => line.match(/^\s*\[study\.(?:"([^"]+)"|([\w-]+))\]/)?.slice(1).find(Boolean);
 const stageHeader = (line) => line.match(/^\s*\[\[study\.(?:"([^"]+)"|([\w-]+))\.stage\]\]/)?.slice(1).find(Boolean);
@@ -14,6 +14,18 @@ function blockOf(lines, isHeading) {
   return begin < 0 ? null : { begin, end: begin + 1 + (length < 0 ? rest.length : length) };
 }
 
+/** The stages of a study, each with its name, verb and keys. */
+export function stagesOf(text, study) {
+  const lines = text.split("\n"), stages = [];
+  for (let k = 0; k < lines.length; ++k) {
+    if (stageHeader(lines[k]) !== study) continue;
+    const length = lines.slice(k + 1).findIndex(isTable), block = lines.slice(k + 1, length < 0 ? undefined : k + 1 + length);
+    const of = (key) => block.map((line) => valueOf(line, key)).find(Boolean);
+    if (of("name")) stages.push({ name: of("name"), verb: of("do") ?? "", keys: block.map(keyOf).filter(Boolean) });
+  }
+  return stages;
+}
+
 /** Keys that a study can sweep, of those that the case has: of its contacts, its soil, its stages. */
 export function keysOf(text, study) {
   const lines = text.split("\n"), keys = ["particles", "fines_content"];
@@ -24,12 +36,7 @@ export function keysOf(text, study) {
   const own = of((line) => header(line) === study), soil = own.map((line) => valueOf(line, "soil")).find(Boolean);
   keys.push(...of((line) => /^\s*\[contact\]/.test(line)).map(keyOf).filter((key) => key && key !== "law").map((key) => `contact.${key}`));
   if (soil) keys.push(...of((line) => line.includes(`[soil.${soil}]`) || line.includes(`[soil."${soil}"]`)).map(keyOf).filter((key) => key && !["psd", "surrogate"].includes(key)));
-  for (let k = 0; k < lines.length; ++k) {
-    if (stageHeader(lines[k]) !== study) continue;
-    const length = lines.slice(k + 1).findIndex(isTable), block = lines.slice(k + 1, length < 0 ? undefined : k + 1 + length);
-    const name = block.map((line) => valueOf(line, "name")).find(Boolean);
-    if (name) keys.push(...block.map(keyOf).filter((key) => key && !["name", "do", "from"].includes(key)).map((key) => `stage.${name}.${key}`));
-  }
+  for (const stage of stagesOf(text, study)) keys.push(...stage.keys.filter((key) => !["name", "do", "from"].includes(key)).map((key) => `stage.${stage.name}.${key}`));
   return [...new Set(keys)];
 }
 
@@ -44,15 +51,19 @@ function entryLength(lines) {
   return lines.length;
 }
 
-const asToml = (value) => (/^([+-]?\d[\d_]*(\.\d+)?([eE][+-]?\d+)?|true|false)$/.test(value) ? value : JSON.stringify(value));
+/** A value as TOML has it: numbers stay numbers, everything else is a string. */
+export const asToml = (value) => (/^([+-]?\d[\d_]*(\.\d+)?([eE][+-]?\d+)?|true|false)$/.test(value) ? value : JSON.stringify(value));
 
 /** "20 deg, 35 deg" -> ["20 deg", "35 deg"] */
 export const valuesOf = (text) => text.split(/[,;]/).map((value) => value.trim()).filter(Boolean);
 
+/** "400 kPa, 100 kPa" -> '["400 kPa", "100 kPa"]' */
+export const listToml = (text) => `[${valuesOf(text).map(asToml).join(", ")}]`;
+
 /** @param rows [{ key, values: "20 deg, 35 deg" }, ...]; those without a key or values are left out */
 export function sweepLine(rows) {
   const entries = rows.filter((row) => row.key && valuesOf(row.values).length)
-    .map(({ key, values }) => `${/^[\w-]+$/.test(key) ? key : JSON.stringify(key)} = [${valuesOf(values).map(asToml).join(", ")}]`);
+    .map(({ key, values }) => `${/^[\w-]+$/.test(key) ? key : JSON.stringify(key)} = ${listToml(values)}`);
   return entries.length ? `sweep = { ${entries.join(", ")} }` : "";
 }
 
@@ -70,4 +81,20 @@ export function withSweep(text, study, rows, replicates = "") {
   while (last > 0 && !kept[last - 1].trim()) --last;
   kept.splice(last, 0, ...[line, replicates && `replicates = ${replicates}`].filter(Boolean));
   return [...lines.slice(0, block.begin + 1), ...kept, ...lines.slice(block.end)].join("\n");
+}
+
+const studyName = (study) => (/^[\w-]+$/.test(study) ? study : JSON.stringify(study));
+
+/** @param entries [["name", '"test"'], ...], the values as TOML */
+export const stageText = (study, entries) => [`[[study.${studyName(study)}.stage]]`, ...entries.map(([key, value]) => `${key} = ${value}`)].join("\n");
+
+/** The case with a further stage behind those of its study. @return the text, and the line of the stage's heading, from 1 */
+export function withStage(text, study, stage) {
+  const lines = text.split("\n"), begin = lines.findLastIndex((line) => stageHeader(line) === study);
+  if (begin < 0) throw new Error(`The study ${study} has no stage that a test could start from.`);
+  const isOwn = (line) => /^\s*\[study\./.test(line) && line.includes(".stage"); // a table of the last stage
+  const length = lines.slice(begin + 1).findIndex((line) => isTable(line) && !isOwn(line));
+  let end = length < 0 ? lines.length : begin + 1 + length;
+  while (/^\s*(#.*)?$/.test(lines[end - 1])) --end; // comments above the next table are its own
+  return { text: [...lines.slice(0, end), "", ...stage.split("\n"), ...(lines[end]?.trim() ? [""] : []), ...lines.slice(end)].join("\n"), line: end + 2 };
 }
