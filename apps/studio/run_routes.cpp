@@ -95,7 +95,7 @@ void show_file(const httplib::Request& request, httplib::Response& response, con
     stream.read(content.data(), static_cast<std::streamsize>(content.size()));
     content.resize(static_cast<std::size_t>(stream.gcount()));
     response.set_header("Content-Security-Policy", sandbox_policy);
-    response.set_content(content, type_of(file));
+    set_plain_content(response, std::move(content), type_of(file));
 }
 
 } // namespace

@@ -82,7 +82,7 @@ Server::Server(const fs::path& folder, const fs::path& page, std::vector<std::st
         server.Get(file.path, [file, page](const httplib::Request&, httplib::Response& response) {
             response.set_header("Content-Security-Policy", own_policy);
             response.set_header("Cross-Origin-Opener-Policy", "same-origin"); // browsers refuse it on what is sandboxed
-            response.set_content(read_whole_file((page / file.file).string()), file.type);
+            set_plain_content(response, read_whole_file((page / file.file).string()), file.type);
         });
     }
     add_soil_routes(server);

@@ -318,6 +318,21 @@ class Runs(InAFolder):
         self.assertEqual(studio.get(f"/api/runs/{run}/pictures", cookie=False).status, 401)
         self.assertEqual(studio.get("/api/runs/..%2Fsecret/pictures").status, 404)
 
+    def test_nothing_is_compressed_for_a_browser_on_the_same_machine(self):
+        run = self.finished_run()
+        studio = self.studio()
+        files = {"/studio.js": None, f"/runs/{run}/report.html": self.runs / run / "report.html", "/api/names": None}
+        for path, file in files.items():
+            answer = studio.get(path, headers={"Accept-Encoding": "gzip, deflate, br"})
+            self.assertEqual((answer.status, answer.headers["Content-Encoding"]), (200, None), path)
+            self.assertEqual(int(answer.headers["Content-Length"]), len(answer.text), path)
+            if file:
+                self.assertEqual(answer.text, file.read_bytes())
+        (self.runs / run / "empty.txt").write_text("")
+        self.assertEqual(studio.get(f"/runs/{run}/empty.txt").text, b"")
+        head = studio.request("HEAD", "/studio.js")
+        self.assertEqual((head.status, head.text), (200, b""))
+
     def test_two_runs_are_compared(self):
         run = self.finished_run()
         self.suffuse("run", "replay/case.toml", "-q")

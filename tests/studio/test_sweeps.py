@@ -1,5 +1,6 @@
 """Sweeps in `suffuse studio`: priced, run, compared, and as tasks of a cluster: test_sweeps.py PROGRAM [unittest's words]."""
 import json
+import shutil
 import subprocess
 
 from studio_process import InAFolder, main
@@ -94,6 +95,20 @@ class Sweeps(InAFolder):
         self.assertEqual(studio.post("/api/slurm", {**case, "file:../x": "1"}).status, 400)
         self.assertEqual([path.name for path in secret.iterdir()], ["case.resolved.toml"])
         self.assertEqual(studio.get_json("/api/names")["result"], [])
+
+    def test_a_script_that_is_a_link_is_neither_written_nor_shown(self):
+        studio = self.studio()
+        name = self.swept(studio)
+        secret = self.folder / "secret.txt"
+        secret.write_text("mine")
+        shutil.rmtree(self.runs / name / "studies/replay/friction=35deg/seep")  # one sample is not finished
+        (self.runs / name / "sweep.sbatch").symlink_to(secret)
+        self.assertFalse(studio.get_json(f"/api/runs/{name}")["tasks"])
+        answer = studio.post(f"/api/runs/{name}/slurm")
+        self.assertNotEqual(answer.status, 201, answer.text)
+        self.assertNotIn(b"mine", answer.text)
+        self.assertEqual(secret.read_text(), "mine")
+        self.assertEqual(studio.get(f"/runs/{name}/sweep.sbatch").status, 404)
 
     def test_stages_behind_a_link_do_not_count(self):
         studio = self.studio()
