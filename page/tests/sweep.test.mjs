@@ -1,5 +1,7 @@
 // The third walk through the studio: a sweep of friction, watched as it comes in, stopped, resumed, and compared.
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { StudioInBrowser, nameless, picture } from "./studio_in_browser.mjs";
 
@@ -82,6 +84,23 @@ test("another number and another stage are chosen by the keyboard, and stay chos
   await page.selectOption("#sweep-live [data-choice]", "initial");
   await page.waitForFunction(() => document.querySelector("#sweep-live thead").textContent.includes("void ratio") && !document.querySelector("#sweep-live thead").textContent.includes("friction angle"));
   assert.deepEqual(await nameless(page), []);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("a sweep is compared with a single run, whose number is a level", async () => {
+  const { page, context, complaints } = await open("#sweep/friction-0001");
+  await page.waitForSelector("#sweep-live .multiples svg");
+  const text = await page.evaluate(() => fetch("/runs/smaller-0001/case.toml").then((r) => r.text()));
+  assert.ok(!text.includes("\r"), "the case is kept as it was written");
+  writeFileSync(join(studio.folder, "single.toml"), text.replace(/^sweep = .*\n/m, ""));
+  studio.suffuse("run", "single.toml", "-q", "-o", "runs/single");
+  await page.reload();
+  await page.waitForSelector('#sweep-other option[value="single"]', { state: "attached" });
+  await page.waitForSelector("#sweep-live .multiples svg");
+  await page.selectOption("#sweep-other", "single");
+  await page.waitForFunction(() => document.querySelector("#sweep-live .legend")?.textContent.includes("single"));
+  assert.match(await page.locator("#sweep-live .multiples .more1").first().getAttribute("d"), /^M56 [\d.]+H\d+$/);
   assert.deepEqual(complaints, []);
   await context.close();
 });
