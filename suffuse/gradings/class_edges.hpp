@@ -18,4 +18,9 @@ void settle_edges(SievedSoil& soil, Problems& problems);
 /// Adds the coarser bound of the coarsest class, which all grains pass.
 void close_curve(SievedSoil& soil, std::vector<GradingPoint>& points);
 
+/// Turns shares of the number of grains, as of images, into shares of their mass. Grains of a class have its geometric
+/// mean size. Nothing may be finer than the finest size; what is coarser than the coarsest is in a class as wide as the
+/// one before it. @return whether it could be done; if not, that is reported.
+bool weigh_by_size(const SievedSoil& soil, std::vector<GradingPoint>& points, Problems& problems);
+
 } // namespace suffuse::gradings

@@ -47,7 +47,72 @@ bool are_differences(const Amounts& own, const Amounts& cumulative) {
     return differ_by(0) || differ_by(1);
 }
 
+/// The numbers of sizes without a unit.
+struct PlainNumbers {
+    std::size_t count = 0, whole = 0, numbered = 0; ///< all, and those that a sieve number can be
+    std::size_t foreign = 0;                        ///< sizes with a unit other than mm
+    bool are_phi = true;                            ///< in quarters
+    double largest = 0, smallest = std::numeric_limits<double>::infinity();
+};
+
+PlainNumbers read_plain_numbers(const Sheet& sheet, const GradingColumns& columns) {
+    PlainNumbers found;
+    for (const SheetRow* row : value_rows(sheet, columns.first_row)) {
+        const std::string text = split_size_text(text_at(*row, columns.size.index)).text;
+        const auto size = read_sieve_size(text, SizeScale::Millimeters, commas_are_decimal(sheet));
+        if (size && size->notation == SizeNotation::Plain) {
+            const double number = size->diameter * 1e3;
+            found.are_phi = found.are_phi && std::abs(4 * number - std::round(4 * number)) < 1e-9;
+            found.largest = std::max(found.largest, number), found.smallest = std::min(found.smallest, number);
+            found.whole += text.find_first_of(".,") == std::string::npos ? 1U : 0U;
+            found.numbered += read_sieve_size(text, SizeScale::SieveNumber)->is_on_scale && number > 0 ? 1U : 0U;
+            ++found.count;
+        } else if (size && size->notation == SizeNotation::WithUnit && text.find("mm") == std::string::npos) {
+            ++found.foreign;
+        }
+    }
+    return found;
+}
+
+/// Whether sizes go one way, and a share that is named as passing goes with them.
+bool is_ordered(const Sheet& sheet, const GradingColumns& columns, SizeScale scale) {
+    const ShareColumn& share = columns.shares.front();
+    std::vector<double> sizes, shares;
+    for (const SheetRow* row : value_rows(sheet, columns.first_row)) {
+        const auto size = size_at(sheet, *row, columns.size.index, scale);
+        const auto value = number_at(sheet, *row, share.index);
+        if (size && value) {
+            sizes.push_back(size->diameter), shares.push_back(*value);
+        }
+    }
+    const bool rise = std::ranges::is_sorted(sizes), fall = std::ranges::is_sorted(sizes, std::greater{});
+    if (share.meaning != ShareMeaning::Passing || !(rise || fall)) {
+        return rise || fall;
+    }
+    return rise ? std::ranges::is_sorted(shares) : std::ranges::is_sorted(shares, std::greater{});
+}
+
 } // namespace
+
+PlainSizes judge_plain_sizes(const Sheet& sheet, const GradingColumns& columns) {
+    constexpr std::size_t least = 3;             // of sizes that show a scale
+    constexpr double widest = 2000, coarse = 60; // [mm] of what anybody sieves; of stones
+    const SizeScale named = columns.size.scale;
+    const PlainNumbers plain = read_plain_numbers(sheet, columns);
+    const bool is_open = named == SizeScale::Unknown,
+               may_be_numbers = plain.count > 0 && plain.whole == plain.count && plain.numbered == plain.count;
+    SizeScale scale = named;
+    if (named == SizeScale::SieveNumber && plain.count > 0 && plain.whole == 0) {
+        scale = SizeScale::Millimeters; // "Sieve No." above 4.75, 2.36 ...: those are openings
+    } else if (is_open && plain.smallest < 0 && plain.are_phi && plain.count >= least) { // no grain is below nothing
+        scale = SizeScale::Phi;
+    } else if (is_open && plain.largest > widest && plain.smallest < coarse) {
+        scale = SizeScale::Micrometers;
+    } else if (is_open && may_be_numbers && is_ordered(sheet, columns, SizeScale::SieveNumber) && !is_ordered(sheet, columns, SizeScale::Millimeters)) {
+        scale = SizeScale::SieveNumber;
+    }
+    return {scale, plain.count > 0, is_open && plain.count > 0 && plain.foreign > 0};
+}
 
 PossibleMeanings find_possible_meanings(const Amounts& amounts) {
     const std::vector<double>& values = amounts.on_sieves;
@@ -120,15 +185,14 @@ amounts_in(const Sheet& sheet, std::size_t first_row, const SizeColumn& size, st
     const bool has_pan = std::ranges::count_if(sheet.rows, [&size](const SheetRow& row) {
                              return split_size_text(text_at(row, size.index)).sense == SizeSense::Finer;
                          }) == 1;
-    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
-        const SheetRow& row = sheet.rows[k];
-        const RowWord word = read_row_word(text_at(row, size.index));
-        if (row.is_comment || is_blank(text_at(row, column)) || word == RowWord::Total) {
+    for (const SheetRow* row : value_rows(sheet, first_row)) {
+        const RowWord word = read_row_word(text_at(*row, size.index));
+        if (is_blank(text_at(*row, column)) || word == RowWord::Total) {
             continue;
         }
-        const SizeText text = split_size_text(text_at(row, size.index));
+        const SizeText text = split_size_text(text_at(*row, size.index));
         const auto d = read_sieve_size(text.text, size.scale, commas_are_decimal(sheet));
-        const auto value = number_at(sheet, row, column);
+        const auto value = number_at(sheet, *row, column);
         const bool is_pan = word == RowWord::Pan || (has_pan && text.sense == SizeSense::Finer) ||
                             (d && d->notation == SizeNotation::Plain && d->diameter == 0 && value.value_or(0) != 0);
         if (!(is_pan || d) || !value || !(*value >= 0 && *value <= most)) {
@@ -166,14 +230,12 @@ bool names_soils(const Sheet& sheet, std::size_t first_row, const SizeColumn& si
 
     std::vector<Block> blocks;
     std::set<std::string_view> names;
-    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
-        const SheetRow& row = sheet.rows[k];
-        const auto d =
-            read_sieve_size(split_size_text(text_at(row, size.index)).text, size.scale, commas_are_decimal(sheet));
-        if (row.is_comment || !d) {
+    for (const SheetRow* row : value_rows(sheet, first_row)) {
+        const auto d = size_at(sheet, *row, size.index, size.scale);
+        if (!d) {
             continue;
         }
-        const std::string_view name = text_at(row, column);
+        const std::string_view name = text_at(*row, column);
         if (blocks.empty() || blocks.back().name != name) {
             if (is_blank(name) || !names.insert(name).second) {
                 return false; // it has come before
@@ -220,9 +282,9 @@ std::vector<std::pair<std::size_t, Amounts>> find_share_columns(
 
 std::optional<std::size_t> find_finer_bound(const Sheet& sheet, std::size_t first_row, std::size_t a, std::size_t b) {
     std::size_t rows = 0, rises = 0;
-    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
-        const auto first = number_at(sheet, sheet.rows[k], a), second = number_at(sheet, sheet.rows[k], b);
-        if (!sheet.rows[k].is_comment && first && second) {
+    for (const SheetRow* row : value_rows(sheet, first_row)) {
+        const auto first = number_at(sheet, *row, a), second = number_at(sheet, *row, b);
+        if (first && second) {
             ++rows, rises += *first < *second ? 1U : 0U;
         }
     }

@@ -1,6 +1,6 @@
 #pragma once
-// What the numbers of a column of shares or masses can be, whatever its heading says: they rise or fall with the size,
-// add up to the whole sample, and agree with the pan. All rules by which numbers decide are here.
+// What the numbers of a column can be, whatever its heading says: sizes on a scale; shares or masses that rise or fall
+// with the size, add up to the whole sample, and agree with the pan. All rules by which numbers decide are here.
 
 #include "suffuse/gradings/grading_columns.hpp"
 
@@ -10,6 +10,16 @@
 #include <vector>
 
 namespace suffuse::gradings {
+
+/// What plain numbers in a column of sizes mean where its heading does not say.
+struct PlainSizes {
+    SizeScale scale = SizeScale::Unknown;
+    bool has_plain = false; ///< sizes without a unit
+    bool mix_units = false; ///< some sizes have a unit other than mm and others none, under a heading that does not say
+};
+
+/// Sieve numbers where the sizes rise and fall as they should only that way.
+PlainSizes judge_plain_sizes(const Sheet& sheet, const GradingColumns& columns);
 
 /// The numbers of one soil in one unit.
 struct Amounts {

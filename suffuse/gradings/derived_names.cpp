@@ -5,7 +5,6 @@
 #include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/gradings/sieve_size.hpp"
-#include "suffuse/gradings/size_among_words.hpp"
 
 #include <fmt/format.h>
 

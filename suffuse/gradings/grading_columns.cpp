@@ -44,6 +44,7 @@ private:
         if (!check_units() || !choose_size() || !choose_shares()) {
             return std::nullopt;
         }
+        find_sample_key();
         settle_bounds();
         remark_on_unread();
         return found_;
@@ -59,12 +60,7 @@ private:
 
     /// Titles and notes above the headings, in one line.
     void remark_on_titles(std::size_t header_row) {
-        std::vector<const SheetRow*> titles;
-        for (std::size_t k = 0; k < header_row; ++k) {
-            if (!sheet_.rows[k].is_comment) {
-                titles.push_back(&sheet_.rows[k]);
-            }
-        }
+        const auto titles = value_rows(sheet_, 0, header_row);
         if (!titles.empty()) {
             problems_.warning(
                 sheet_remark, titles.front()->place,
@@ -119,12 +115,11 @@ private:
             return 0;
         }
         std::size_t sizes = 0, others = 0, classes = 0;
-        for (std::size_t k = found_.first_row; k < sheet_.rows.size() && k < found_.first_row + most_titles; ++k) {
-            const SheetRow& row = sheet_.rows[k];
-            if (!row.is_comment && !is_blank(text_at(row, column)) &&
-                read_row_word(text_at(row, column)) == RowWord::None) {
-                ++(is_size(sheet_, row, column) ? sizes : others);
-                classes += split_size_text(text_at(row, column)).sense == SizeSense::Class ? 1U : 0U;
+        for (const SheetRow* row : value_rows(sheet_, found_.first_row, found_.first_row + most_titles)) {
+            const std::string& text = text_at(*row, column);
+            if (!is_blank(text) && read_row_word(text) == RowWord::None) {
+                ++(is_size(sheet_, *row, column) ? sizes : others);
+                classes += split_size_text(text).sense == SizeSense::Class ? 1U : 0U;
             }
         }
         const bool is_metric = heading.scale == SizeScale::Millimeters || heading.scale == SizeScale::Micrometers ||
@@ -190,24 +185,13 @@ private:
         bound_ = found_.upper ? *found_.upper : bound_;
     }
 
-    [[nodiscard]] std::vector<std::size_t> columns_of(ColumnKind kind, std::optional<ShareMeaning> meaning = {}) const {
-        std::vector<std::size_t> columns;
-        for (std::size_t k = 0; k < headings_.size(); ++k) {
-            if (headings_[k].kind == kind && (!meaning || headings_[k].meaning == *meaning)) {
-                columns.push_back(k);
-            }
-        }
-        return columns;
-    }
-
     bool choose_shares() {
-        for (const ShareMeaning meaning :
-             {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained,
-              ShareMeaning::Cumulative, ShareMeaning::Unstated}) {
-            const auto columns = columns_of(ColumnKind::Share, meaning);
-            if (!columns.empty()) {
-                return take_shares(columns);
-            }
+        auto columns = columns_of(ColumnKind::Share);
+        if (!columns.empty()) {
+            const auto meaning_of = [this](std::size_t k) { return headings_[k].meaning; };
+            const ShareMeaning surest = meaning_of(*std::ranges::min_element(columns, {}, meaning_of));
+            std::erase_if(columns, [&](std::size_t k) { return meaning_of(k) != surest; });
+            return take_shares(std::move(columns));
         }
         auto gross = columns_of(ColumnKind::Gross), tare = columns_of(ColumnKind::Tare);
         if (gross.empty() && tare.size() == 2) { // "sieve mass" and "sieve soil mass": what is on it never weighs less
@@ -218,18 +202,14 @@ private:
                 gross = {tare[1]}, tare = {tare[0]};
             }
         }
-        if (!gross.empty()) {
-            return take_weighings(gross, tare);
-        }
-        return take_unnamed();
+        return gross.empty() ? take_unnamed() : take_weighings(gross, tare);
     }
 
     /// A form has columns that nobody filled in.
     [[nodiscard]] bool has_number(std::size_t column) const {
-        return std::any_of(
-            sheet_.rows.begin() + static_cast<std::ptrdiff_t>(std::min(found_.first_row, sheet_.rows.size())),
-            sheet_.rows.end(), [&](const SheetRow& row) { return number_at(sheet_, row, column).has_value(); }
-        );
+        return std::ranges::any_of(value_rows(sheet_, found_.first_row), [&](const SheetRow* row) {
+            return number_at(sheet_, *row, column).has_value();
+        });
     }
 
     [[nodiscard]] bool is_never_less(std::size_t column, std::size_t than) const {
@@ -255,7 +235,6 @@ private:
             const Heading& heading = headings_[k];
             found_.shares.push_back({k, {}, name, heading.meaning, heading.unit, true, heading.mass_unit});
         }
-        find_sample_key();
         return true;
     }
 
@@ -280,7 +259,6 @@ private:
             {gross.front(), tare.front(), "", ShareMeaning::OnSieve, ShareUnit::Mass, true,
              headings_[gross.front()].mass_unit}
         );
-        find_sample_key();
         return true;
     }
 
@@ -302,6 +280,10 @@ private:
         }
     }
 
+    [[nodiscard]] std::vector<std::size_t> columns_of(ColumnKind kind) const {
+        return columns_of_kind(headings_, kind);
+    }
+
     [[nodiscard]] bool is_share(std::size_t column) const {
         return std::ranges::any_of(found_.shares, [column](const ShareColumn& share) {
             return share.index == column || share.tare == column;
@@ -311,22 +293,19 @@ private:
     /// Rows that are a sample each make no curve: such a column counts or measures something else.
     [[nodiscard]] bool differs_everywhere(std::size_t column) const {
         std::set<std::string_view> values;
-        std::size_t rows = 0;
-        for (std::size_t k = found_.first_row; k < sheet_.rows.size(); ++k) {
-            if (!sheet_.rows[k].is_comment) {
-                values.insert(text_at(sheet_.rows[k], column)), ++rows;
-            }
+        const auto rows = value_rows(sheet_, found_.first_row);
+        for (const SheetRow* row : rows) {
+            values.insert(text_at(*row, column));
         }
-        return rows > 1 && values.size() == rows;
+        return rows.size() > 1 && values.size() == rows.size();
     }
 
     /// Columns whose headings say neither: soils, by their numbers.
     bool take_unnamed() {
         std::vector<std::size_t> candidates;
         for (std::size_t k = 0; k < headings_.size(); ++k) {
-            const bool may_be = headings_[k].kind == ColumnKind::Other ||
-                                (headings_[k].kind == ColumnKind::Sample && !headings_[k].rest.empty());
-            if (may_be) {
+            const Heading& heading = headings_[k];
+            if (heading.kind == ColumnKind::Other || (heading.kind == ColumnKind::Sample && !heading.rest.empty())) {
                 candidates.push_back(k);
             }
         }
@@ -348,7 +327,6 @@ private:
             );
             return false;
         }
-        find_sample_key();
         remark_on_meaning(std::ranges::all_of(columns, [](const auto& column) { return is_cumulative(column.second); })
         );
         return true;

@@ -2,7 +2,6 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/column_content.hpp"
-#include "suffuse/gradings/plain_sizes.hpp"
 #include "suffuse/gradings/table_cells.hpp"
 
 #include <fmt/format.h>

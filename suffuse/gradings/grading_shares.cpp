@@ -2,7 +2,6 @@
 
 #include "suffuse/gradings/class_edges.hpp"
 #include "suffuse/gradings/column_content.hpp"
-#include "suffuse/gradings/number_shares.hpp"
 
 #include <fmt/format.h>
 

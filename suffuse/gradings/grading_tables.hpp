@@ -4,7 +4,7 @@
 #include "suffuse/gradings/derived_values.hpp"
 #include "suffuse/gradings/grading_curve.hpp"
 #include "suffuse/gradings/grading_rows.hpp"
-#include "suffuse/gradings/sheet_reading.hpp"
+#include "suffuse/gradings/reading_options.hpp"
 #include "suffuse/gradings/sheet_tables.hpp"
 
 #include <optional>

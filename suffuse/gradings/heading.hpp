@@ -49,4 +49,8 @@ Heading read_heading(std::string_view text);
 /// Small letters of the Latin alphabet alone: accents dropped, everything else a blank.
 std::string plain_words(std::string_view text);
 
+/// The longest part of a heading that is a size, as in "% passing #4" and "Passing 0.075 mm (%)"; empty where it names
+/// no share, or no size.
+std::string size_among_words(std::string_view text);
+
 } // namespace suffuse::gradings

@@ -29,14 +29,13 @@ struct NamedShare {
 class NamedColumnReader {
 public:
     NamedColumnReader(const Sheet& sheet, const ReadingOptions& options, Problems& problems)
-        : sheet_(sheet), options_(options), problems_(problems) {}
+        : sheet_(sheet), options_(options), problems_(problems), width_(width_of(value_rows(sheet, 0))),
+          size_(split_column(options.size)),
+          lines_(split_lines(options.rows).value_or(std::pair{1, std::numeric_limits<int>::max()})) {}
 
     std::optional<SheetTable> read() {
-        if (!choose_share() || !read_lines()) {
-            return std::nullopt;
-        }
-        size_ = split_column(options_.size);
-        return size_.name == "across" ? read_across() : read_down();
+        auto table = !choose_share() ? std::nullopt : size_.name == "across" ? read_across() : read_down();
+        return table && apply_units(*table->columns) ? std::move(table) : std::nullopt;
     }
 
 private:
@@ -46,8 +45,8 @@ private:
     };
 
     void complain(const std::string& what, const std::string& advice) {
-        const auto first = std::ranges::find_if(sheet_.rows, [](const SheetRow& row) { return !row.is_comment; });
-        problems_.error("E506", (first == sheet_.rows.end() ? sheet_.rows.begin() : first)->place, what, advice);
+        const auto rows = value_rows(sheet_, 0);
+        problems_.error("E506", (rows.empty() ? sheet_.rows.front() : *rows.front()).place, what, advice);
     }
 
     /// One of four options says what the shares are.
@@ -69,27 +68,9 @@ private:
         return true;
     }
 
-    bool read_lines() {
-        const auto lines = split_lines(options_.rows);
-        if (!options_.rows.empty() && !lines) {
-            complain(fmt::format("rows: `{}` are no lines", options_.rows), "the first and the last line: --rows 5-12");
-            return false;
-        }
-        lines_ = lines.value_or(lines_);
-        return true;
-    }
-
-    [[nodiscard]] std::size_t width() const {
-        std::size_t most = 0;
-        for (const SheetRow& row : sheet_.rows) {
-            most = std::max(most, row.is_comment ? 0 : row.cells.size());
-        }
-        return most;
-    }
-
     std::optional<Located> locate(const char* option, const std::string& name) {
         const auto number = io::number_of<std::size_t>(name);
-        if (number && *number > 0 && *number <= width()) {
+        if (number && *number > 0 && *number <= width_) {
             return Located{*number - 1, {}};
         }
         for (std::size_t k = 0; k < sheet_.rows.size(); ++k) {
@@ -101,7 +82,7 @@ private:
         }
         complain(
             fmt::format("{}: there is no column `{}`", option, name),
-            fmt::format("a heading of the file, or a number from 1 to {}", width())
+            fmt::format("a heading of the file, or a number from 1 to {}", width_)
         );
         return std::nullopt;
     }
@@ -133,10 +114,8 @@ private:
     /// Headings of the row that names a column, else of the last row without a number above the values.
     [[nodiscard]] std::vector<Heading> read_headings(std::optional<std::size_t>& row, std::size_t first) const {
         for (std::size_t k = first; !row && k-- > 0;) {
-            const bool has_number = std::ranges::any_of(sheet_.rows[k].cells, [](const SheetCell& cell) {
-                return plain_number(cell.text, true).has_value();
-            });
-            row = !has_number && sheet_.rows[k].cells.size() > 1 ? std::optional(k) : row;
+            const bool may_be = !has_number(sheet_.rows[k]) && sheet_.rows[k].cells.size() > 1;
+            row = may_be ? std::optional(k) : row;
         }
         std::vector<Heading> headings;
         for (std::size_t c = 0; row && c < sheet_.rows[*row].cells.size(); ++c) {
@@ -145,30 +124,24 @@ private:
         if (row && *row + 1 < first) {
             take_unit_row(sheet_.rows[*row + 1], headings);
         }
-        headings.resize(width());
+        headings.resize(width_);
         return headings;
     }
 
     std::optional<SheetTable> read_down() {
+        const bool is_all = share_.column.name == "all";
         const auto size = locate("size", size_.name);
-        if (!size) {
+        const auto share = !size || is_all ? size : locate(share_.option, share_.column.name);
+        if (!share) {
             return std::nullopt;
         }
         size_column_ = size->column;
-        std::optional<std::size_t> header = size->row;
-        const bool is_all = share_.column.name == "all";
-        if (is_all) {
-            for (std::size_t k = 0; k < width(); ++k) {
-                k == size_column_ ? void() : shares_.push_back(k);
+        for (std::size_t k = 0; k < width_; ++k) {
+            if (is_all ? k != size_column_ : k == share->column) {
+                shares_.push_back(k);
             }
-        } else {
-            const auto share = locate(share_.option, share_.column.name);
-            if (!share) {
-                return std::nullopt;
-            }
-            header = header ? header : share->row;
-            shares_ = {share->column};
         }
+        std::optional<std::size_t> header = size->row ? size->row : share->row;
         const std::size_t first = find_first_value(header ? *header + 1 : 0);
         if (first == sheet_.rows.size()) {
             complain(
@@ -186,10 +159,9 @@ private:
             }
         }
         std::erase_if(shares_, [&](std::size_t k) {
-            const auto numbers = std::count_if(
-                sheet_.rows.begin() + static_cast<std::ptrdiff_t>(first), sheet_.rows.end(),
-                [&](const SheetRow& row) { return number_at(sheet_, row, k).has_value(); }
-            );
+            const auto numbers = std::ranges::count_if(value_rows(sheet_, first), [&](const SheetRow* row) {
+                return number_at(sheet_, *row, k).has_value();
+            });
             return is_all && (numbers < 2 || headings[k].kind == ColumnKind::Sample);
         });
         if (shares_.empty()) {
@@ -199,7 +171,7 @@ private:
         return build(header, first, headings, keys);
     }
 
-    std::optional<SheetTable> build(
+    SheetTable build(
         std::optional<std::size_t> header, std::size_t first, const std::vector<Heading>& headings,
         const std::vector<std::size_t>& keys
     ) {
@@ -209,22 +181,22 @@ private:
         const auto cut = [&taken](const SheetRow& row) {
             SheetRow part{{}, row.place, row.is_comment};
             for (const std::size_t k : taken) {
-                part.cells.push_back(k < row.cells.size() ? row.cells[k] : SheetCell{{}, row.place, false});
+                part.cells.push_back(cell_at(row, k));
             }
             return part;
         };
         SheetTable table;
         table.sheet.mark = sheet_.mark;
         table.sheet.rows.push_back(header ? cut(sheet_.rows[*header]) : SheetRow{{}, sheet_.rows[first].place, false});
-        for (std::size_t k = first; k < sheet_.rows.size() && sheet_.rows[k].place.line <= lines_.second; ++k) {
-            if (sheet_.rows[k].is_comment) {
-                continue;
-            }
-            if (!is_value(sheet_.rows[k])) {
-                problems_.warning(sheet_remark, sheet_.rows[k].place, "the named columns are read down to this line");
+        for (const SheetRow* row : value_rows(sheet_, first)) {
+            if (row->place.line > lines_.second) {
                 break;
             }
-            table.sheet.rows.push_back(cut(sheet_.rows[k]));
+            if (!is_value(*row)) {
+                problems_.warning(sheet_remark, row->place, "the named columns are read down to this line");
+                break;
+            }
+            table.sheet.rows.push_back(cut(*row));
         }
         GradingColumns columns;
         columns.first_row = 1;
@@ -239,7 +211,7 @@ private:
             columns.sample_key.push_back(1 + shares_.size() + k);
         }
         table.columns = std::move(columns);
-        return apply_units(std::move(table));
+        return table;
     }
 
     std::optional<SheetTable> read_across() {
@@ -262,10 +234,11 @@ private:
             share.meaning = share_.meaning;
         }
         table->columns->stated_unit = table->size_unit;
-        return apply_units(std::move(*table));
+        return table;
     }
 
-    std::optional<SheetTable> apply_units(SheetTable table) {
+    /// @return whether the units fit, which is reported otherwise
+    bool apply_units(GradingColumns& columns) {
         const SizeScale scale = size_scale_of(size_.unit);
         const ShareUnit unit = share_.column.unit == "%" ? ShareUnit::Percent : share_unit_named(share_.column.unit);
         const bool is_mass = std::string_view(share_.option) == "mass";
@@ -275,25 +248,26 @@ private:
                 fmt::format("`{}` and `{}`: a unit does not fit", options_.size, share_.column.unit),
                 "sizes in mm, um, cm, m, in, phi or no; shares in %, - or g/kg; masses in g, kg or mg"
             );
-            return std::nullopt;
+            return false;
         }
-        table.columns->size.scale = scale == SizeScale::Unknown ? table.columns->size.scale : scale;
-        for (ShareColumn& share : table.columns->shares) {
+        columns.size.scale = scale == SizeScale::Unknown ? columns.size.scale : scale;
+        for (ShareColumn& share : columns.shares) {
             share.is_named = true;
             share.unit = is_mass ? ShareUnit::Mass : unit == ShareUnit::Unknown ? share.unit : unit;
             if (unit == ShareUnit::Mass) {
                 share.mass_unit = read_heading("mass (" + share_.column.unit + ")").mass_unit;
             }
         }
-        return table;
+        return true;
     }
 
     const Sheet& sheet_;
     const ReadingOptions& options_;
     Problems& problems_;
-    NamedShare share_;
+    std::size_t width_; ///< of its longest row
     NamedColumn size_;
-    std::pair<int, int> lines_{1, std::numeric_limits<int>::max()};
+    std::pair<int, int> lines_;
+    NamedShare share_;
     std::size_t size_column_ = 0;
     std::vector<std::size_t> shares_;
 };

@@ -4,7 +4,6 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/ags_grading.hpp"
-#include "suffuse/gradings/align_rows.hpp"
 #include "suffuse/gradings/grading_tables.hpp"
 #include "suffuse/gradings/named_columns.hpp"
 #include "suffuse/gradings/reading_guess.hpp"

@@ -7,7 +7,6 @@
 
 #include "suffuse/gradings/grading_curve.hpp"
 #include "suffuse/gradings/reading_options.hpp"
-#include "suffuse/gradings/sheet_reading.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <memory>

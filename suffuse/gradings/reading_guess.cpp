@@ -69,12 +69,8 @@ void add_meanings(
 } // namespace
 
 std::vector<ReadingOptions> guess_readings(const Sheet& sheet) {
-    std::size_t width = 0;
-    for (const SheetRow& row : sheet.rows) {
-        width = std::max(width, row.cells.size());
-    }
     std::vector<ColumnNumbers> columns;
-    for (std::size_t k = 0; k < std::min(width, most_columns_tried); ++k) {
+    for (std::size_t k = 0; k < std::min(width_of(value_rows(sheet, 0)), most_columns_tried); ++k) {
         columns.push_back(look_at(sheet, k));
     }
     std::vector<std::size_t> sizes;

@@ -53,4 +53,11 @@ std::optional<std::pair<int, int>> split_lines(const std::string& text) {
     return first && last && *first > 0 && *last >= *first ? std::optional(std::pair(*first, *last)) : std::nullopt;
 }
 
+std::string words_of(const SheetReading& reading) {
+    return fmt::format(
+        "sizes: {}, in {}; shares: {}, read as {}, in {}", reading.size.empty() ? "no heading" : reading.size,
+        reading.size_unit, reading.share.empty() ? "no heading" : reading.share, reading.kind, reading.share_unit
+    );
+}
+
 } // namespace suffuse::gradings

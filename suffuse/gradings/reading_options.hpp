@@ -36,4 +36,15 @@ NamedColumn split_column(const std::string& text);
 /// The lines A-B; empty where the text says none.
 std::optional<std::pair<int, int>> split_lines(const std::string& text);
 
+/// Which columns a curve came from, and as what they were read.
+struct SheetReading {
+    std::string size, size_unit; ///< heading as written, and "mm", "um", "phi"
+    std::string share;           ///< heading as written
+    std::string kind;            ///< "percent passing", "retained on each sieve alone"
+    std::string share_unit;      ///< "%", "mass", "number"
+};
+
+/// "sizes: Sieve (mm), in mm; shares: Weight (%), read as retained on each sieve alone, in %".
+std::string words_of(const SheetReading& reading);
+
 } // namespace suffuse::gradings

@@ -38,6 +38,10 @@ constexpr char wide_blanks = '\v';
 /// #200 is a sieve. Empty cells at the end of a row, where spreadsheets leave some, are dropped.
 Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark);
 
+/// Gives each row of a block of lines the columns of its longest ones, by where the cells stand. Rows of one cell, and
+/// those whose cells fit no columns, stay as they are.
+void align_rows(Sheet& sheet);
+
 /// The marks of ; tab | and comma that stand outside of quotes and comments, in this order; then wide
 /// blanks where there are some, and last the blank.
 std::vector<char> possible_marks(std::string_view text);

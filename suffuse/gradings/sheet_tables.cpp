@@ -71,10 +71,8 @@ private:
                               std::ranges::all_of(sizes_, [&](std::size_t k) { // "Gs,2.70" is none
                                   return may_be_size(k) || is_blank(text_at(row, k));
                               });
-        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        const bool has_word = first != row.cells.end() && read_row_word(first->text) != RowWord::None;
         const bool has_none = std::ranges::all_of(sizes_, [&](std::size_t k) { return is_blank(text_at(row, k)); });
-        return has_size || has_word || (has_none && has_share(row));
+        return has_size || read_row_word(first_text(row)) != RowWord::None || (has_none && has_share(row));
     }
 
     /// A size with a share behind it, whatever stands before: "Sand,4.75,100" is of a sample of that name.
@@ -128,8 +126,7 @@ private:
             return false;
         }
         const auto count = std::ranges::count_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        const bool is_worded = first != row.cells.end() && has_word(first->text);
+        const bool is_worded = has_word(first_text(row));
         return is_below ? is_worded && (is_apart || !has_share(row)) : is_worded && count == 1;
     }
 
@@ -153,13 +150,10 @@ std::vector<std::size_t> find_headers(const Sheet& sheet) {
         if (row.is_comment) {
             continue;
         }
-        const bool has_number = std::ranges::any_of(row.cells, [](const SheetCell& cell) {
-            return plain_number(cell.text, true).has_value();
-        });
-        if (has_values && !has_number && is_complete_header(row)) {
+        if (has_values && !has_number(row) && is_complete_header(row)) {
             headers.push_back(k), has_values = false;
         }
-        has_values = has_values || has_number;
+        has_values = has_values || has_number(row);
     }
     return headers;
 }
@@ -175,10 +169,7 @@ std::size_t find_other_table(const Sheet& sheet, std::size_t first, std::size_t 
             return is_blank(cell.text) || plain_number(cell.text, true) || read_derived_name(cell.text) ||
                    read_row_word(cell.text) != RowWord::None;
         });
-        const bool has_number = std::ranges::any_of(below.cells, [](const SheetCell& cell) {
-            return plain_number(cell.text, true).has_value();
-        });
-        if (!row.is_comment && is_apart && are_words && has_number && row.cells.size() >= least &&
+        if (!row.is_comment && is_apart && are_words && has_number(below) && row.cells.size() >= least &&
             below.cells.size() == row.cells.size()) {
             return k;
         }
@@ -192,8 +183,8 @@ std::size_t first_title(const Sheet& sheet, std::size_t header) {
     std::size_t first = header;
     while (first > 0 && !sheet.rows[first - 1].is_comment) {
         const SheetRow& row = sheet.rows[first - 1];
-        const bool is_worded = std::ranges::none_of(row.cells, [](const SheetCell& cell) {
-            return plain_number(cell.text, true).has_value() || read_row_word(cell.text) != RowWord::None;
+        const bool is_worded = !has_number(row) && std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+            return read_row_word(cell.text) != RowWord::None;
         });
         const bool is_title = is_worded || dry_mass_in(sheet, row);
         if (!is_title || !read_derived(sheet, row).empty()) {
@@ -250,9 +241,8 @@ void remark_on_notes(const TableNotes& notes, Problems& problems) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
     for (const SheetRow* row : notes.others) {
-        const auto first = std::ranges::find_if(row->cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        if (names.size() < most && first != row->cells.end()) {
-            names.push_back(fmt::format("`{}`", first->text));
+        if (names.size() < most && !is_blank(first_text(*row))) {
+            names.push_back(fmt::format("`{}`", first_text(*row)));
         }
     }
     if (!names.empty()) {

@@ -3,11 +3,13 @@
 
 #include "suffuse/gradings/row_words.hpp"
 #include "suffuse/gradings/sheet.hpp"
+#include "suffuse/gradings/sieve_size.hpp"
 
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace suffuse::gradings {
 
@@ -17,11 +19,33 @@ const std::string& text_at(const SheetRow& row, std::size_t column);
 /// Its place; that of the row where it is shorter.
 Place place_at(const SheetRow& row, std::size_t column);
 
+/// The cell; an empty one at the row's place where the row is shorter.
+SheetCell cell_at(const SheetRow& row, std::size_t column);
+
+/// The text of the first cell that is not blank; empty where all are.
+const std::string& first_text(const SheetRow& row);
+
+/// Whether a cell is a number and nothing else.
+bool has_number(const SheetRow& row);
+
+/// The rows that are no comments, from `first` to before `end`.
+std::vector<const SheetRow*> value_rows(const Sheet& sheet, std::size_t first, std::size_t end = std::string::npos);
+
+/// Cells of the longest one.
+std::size_t width_of(const std::vector<const SheetRow*>& rows);
+
 /// Whether a cell says that nothing was measured: empty, or a dash.
 bool is_blank(std::string_view text);
 
 /// Whether a comma in a number is a decimal one: where none separates columns.
 bool commas_are_decimal(const Sheet& sheet);
+
+/// Likewise in one cell: quotes keep its commas.
+bool commas_are_decimal(const Sheet& sheet, const SheetRow& row, std::size_t column);
+
+/// The size in a cell, without the word of what it bounds.
+std::optional<SieveSize>
+size_at(const Sheet& sheet, const SheetRow& row, std::size_t column, SizeScale scale = SizeScale::Unknown);
 
 /// A size in the cell, of a notation that needs no scale or as a plain number.
 bool is_size(const Sheet& sheet, const SheetRow& row, std::size_t column);

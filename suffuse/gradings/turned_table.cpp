@@ -3,7 +3,6 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_titles.hpp"
-#include "suffuse/gradings/size_among_words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -50,6 +49,7 @@ struct SieveRowAcross {
     std::vector<std::size_t> columns;
     std::vector<std::string> sizes;
     Heading label;
+    std::vector<std::string> headings; ///< of all columns
 };
 
 class TableTurner {
@@ -70,7 +70,8 @@ private:
     bool read_sieves(std::size_t row_number) {
         const SheetRow& row = sheet_.rows[row_number];
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
-        across_ = {row_number, {}, {}, has_label ? read_heading(heading_at(row_number, 0)) : Heading{}};
+        across_ = {row_number, {}, {}, {}, headings_of(row_number)};
+        across_.label = has_label ? read_heading(across_.headings.front()) : Heading{};
         if (across_.label.scale == SizeScale::Unknown) {
             across_.label.scale = scale_next_to(row);
         }
@@ -95,27 +96,20 @@ private:
         return diameters.size() >= least_sieves && (falls || rises);
     }
 
-    /// What heads a column: in the row of sieves, else right above it: "Borehole,Depth,Passing,," and ",,#4,#200".
-    [[nodiscard]] const std::string& heading_at(std::size_t row, std::size_t column) const {
-        const std::string& own = text_at(sheet_.rows[row], column);
-        return own.empty() && goes_on(row) ? text_at(sheet_.rows[row - 1], column) : own;
+    /// What heads each column: in the row of sieves, else right above it: "Borehole,Depth,Passing,," and ",,#4,#200".
+    [[nodiscard]] std::vector<std::string> headings_of(std::size_t row) const {
+        const SheetRow &own = sheet_.rows[row], &above = goes_on(row) ? sheet_.rows[row - 1] : own;
+        std::vector<std::string> headings;
+        for (std::size_t k = 0; k < own.cells.size() || !text_at(above, k).empty(); ++k) {
+            headings.push_back(text_at(own, k).empty() ? text_at(above, k) : text_at(own, k));
+        }
+        return headings;
     }
 
     /// Whether a row goes on with headings right above it: its first cell has none.
     [[nodiscard]] bool goes_on(std::size_t row) const {
         return row > 0 && !sheet_.rows[row - 1].is_comment && text_at(sheet_.rows[row], 0).empty() &&
                sheet_.rows[row - 1].place.line + 1 == sheet_.rows[row].place.line;
-    }
-
-    [[nodiscard]] const std::string& heading_at(std::size_t column) const { return heading_at(across_.row, column); }
-
-    /// Columns that are headed.
-    [[nodiscard]] std::size_t width() const {
-        std::size_t width = sheet_.rows[across_.row].cells.size();
-        while (!heading_at(width).empty()) {
-            ++width;
-        }
-        return width;
     }
 
     /// "Sieve,um,2000,850": the unit in a cell of its own before the sizes.
@@ -127,6 +121,10 @@ private:
             }
         }
         return SizeScale::Unknown;
+    }
+
+    [[nodiscard]] bool is_sieve(std::size_t column) const {
+        return std::ranges::find(across_.columns, column) != across_.columns.end();
     }
 
     [[nodiscard]] bool is_sample(const SheetRow& row) const {
@@ -190,11 +188,10 @@ private:
     /// Columns of names, boreholes and depths; else the first that is no sieve's.
     [[nodiscard]] std::vector<std::size_t> find_keys() const {
         std::vector<std::size_t> keys, others;
-        for (std::size_t k = 0; k < width(); ++k) {
-            if (std::ranges::find(across_.columns, k) != across_.columns.end()) {
-                continue;
+        for (std::size_t k = 0; k < across_.headings.size(); ++k) {
+            if (!is_sieve(k)) {
+                (read_heading(across_.headings[k]).kind == ColumnKind::Sample ? keys : others).push_back(k);
             }
-            (read_heading(heading_at(k)).kind == ColumnKind::Sample ? keys : others).push_back(k);
         }
         return !keys.empty() || others.empty() ? keys : std::vector<std::size_t>{others.front()};
     }
@@ -214,7 +211,7 @@ private:
 
     /// What stands beyond the last heading is of no sieve, and no row may lose it.
     void check_widths() {
-        const std::size_t columns = width();
+        const std::size_t columns = across_.headings.size();
         for (const SheetRow* row : samples_) {
             if (row->cells.size() > columns) {
                 problems_.error(
@@ -248,19 +245,16 @@ private:
     /// Rows of one sample that are named as passing and retained: "Passing (%),100,98". Those of the surest meaning.
     [[nodiscard]] std::vector<std::pair<const SheetRow*, Heading>> rows_by_meaning() const {
         std::vector<std::pair<const SheetRow*, Heading>> rows;
-        for (const ShareMeaning meaning :
-             {ShareMeaning::Passing, ShareMeaning::CumulativeRetained, ShareMeaning::OnSieve, ShareMeaning::Retained}) {
-            for (const SheetRow* row : samples_) {
-                const Heading heading = read_heading(text_at(*row, 0));
-                const bool is_share = across_.columns.front() > 0 && heading.kind == ColumnKind::Share;
-                if (is_share && heading.meaning == meaning) {
-                    rows.emplace_back(row, heading);
-                }
-            }
-            if (!rows.empty()) {
-                return rows;
+        for (const SheetRow* row : samples_) {
+            Heading heading = read_heading(text_at(*row, 0));
+            if (across_.columns.front() > 0 && is_stated(heading)) {
+                rows.emplace_back(row, std::move(heading));
             }
         }
+        const auto meaning_of = [](const auto& row) { return row.second.meaning; };
+        const auto surest = std::ranges::min_element(rows, {}, meaning_of);
+        const ShareMeaning meaning = surest == rows.end() ? ShareMeaning::Passing : meaning_of(*surest);
+        std::erase_if(rows, [&](const auto& row) { return meaning_of(row) != meaning; });
         return rows;
     }
 
@@ -293,21 +287,17 @@ private:
         }
         table.sheet.rows.push_back(std::move(first));
         for (std::size_t k = 0; k < across_.columns.size(); ++k) {
-            SheetRow line{{}, heads.cells[across_.columns[k]].place, false};
-            line.cells.push_back(heads.cells[across_.columns[k]]);
+            const SheetCell& head = heads.cells[across_.columns[k]];
+            SheetRow line{{head}, head.place, false};
             line.cells.back().text = across_.sizes[k];
             for (const SheetRow* row : taken) {
-                const std::size_t c = across_.columns[k];
-                line.cells.push_back(c < row->cells.size() ? row->cells[c] : SheetCell{{}, row->place, false});
+                line.cells.push_back(cell_at(*row, across_.columns[k]));
             }
             table.sheet.rows.push_back(std::move(line));
         }
         add_derived(taken, table);
-        for (std::size_t k = 0; k < across_.row - (goes_on(across_.row) ? 1U : 0U); ++k) {
-            if (!sheet_.rows[k].is_comment) {
-                table.notes.others.push_back(&sheet_.rows[k]);
-            }
-        }
+        const auto titles = value_rows(sheet_, 0, across_.row - (goes_on(across_.row) ? 1U : 0U));
+        table.notes.others.insert(table.notes.others.end(), titles.begin(), titles.end());
         table.notes.others.insert(table.notes.others.end(), others_.begin(), others_.end());
         table.columns = std::move(columns);
         table.size_unit = find_size_unit(sheet_, 0, across_.row + 1);
@@ -323,8 +313,7 @@ private:
         }
         for (std::size_t k = 0; k < rows.size(); ++k) {
             for (DerivedValue value : read_derived_below(sheet_, sheet_.rows[across_.row], *rows[k])) {
-                const bool is_sieve = std::ranges::find(across_.columns, value.column) != across_.columns.end();
-                if (!is_sieve && value.value && value.kind != DerivedValue::Kind::Other) {
+                if (!is_sieve(value.column) && value.value && value.kind != DerivedValue::Kind::Other) {
                     value.column = k + 1;
                     table.notes.derived.push_back(std::move(value));
                 }
@@ -335,10 +324,9 @@ private:
     void remark(std::size_t samples, const std::vector<std::size_t>& keys) {
         std::vector<std::string> unread;
         const SheetRow& row = sheet_.rows[across_.row];
-        for (std::size_t k = 0; k < width(); ++k) {
-            const std::string& heading = heading_at(k);
-            const bool is_read = std::ranges::find(across_.columns, k) != across_.columns.end() ||
-                                 std::ranges::find(keys, k) != keys.end() || (keys.empty() && k == 0);
+        for (std::size_t k = 0; k < across_.headings.size(); ++k) {
+            const std::string& heading = across_.headings[k];
+            const bool is_read = is_sieve(k) || std::ranges::find(keys, k) != keys.end() || (keys.empty() && k == 0);
             const auto derived = read_derived_name(heading);
             const bool is_compared = derived && derived->kind != DerivedValue::Kind::Other;
             const bool is_unit = size_scale_of(plain_unit(heading)) != SizeScale::Unknown;
