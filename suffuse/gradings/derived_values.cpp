@@ -39,65 +39,42 @@ std::optional<double> value_in(const DerivedValue& named, std::string_view text,
     return number ? std::optional(is_ratio ? *number : *number / 100) : std::nullopt;
 }
 
-/// Each name has its values behind it, one a soil.
-std::vector<DerivedValue> read_single(const Sheet& sheet, const SheetRow& row) {
-    std::vector<DerivedValue> found; // the last one may still be without its value
-    SizeScale scale = SizeScale::Unknown;
-    const auto take = [&](std::string_view text, std::size_t column) {
-        const bool comma = commas_are_decimal(sheet) || row.cells[column].is_quoted;
-        if (const auto value = value_in(found.back(), text, scale, comma)) {
-            if (found.back().value) { // a value more: of the next column's soil
-                found.push_back(found.back());
-            }
-            found.back().value = value, found.back().column = column;
-        }
-    };
-    for (std::size_t k = 0; k < row.cells.size(); ++k) {
-        const SheetCell& cell = row.cells[k];
-        if (auto name = read_derived_name(cell.text)) {
-            name->place = cell.place, scale = scale_in(name->name);
-            found.push_back(std::move(*name));
-            if (found.back().name != trimmed(cell.text)) { // its value stands next to it
-                take(std::string_view(cell.text).substr(value_begin(cell.text)), k);
-            }
-        } else if (!found.empty() && size_scale_of(cell.text) != SizeScale::Unknown) {
-            scale = size_scale_of(cell.text);
-        } else if (!found.empty() && !is_blank(cell.text)) {
-            take(cell.text, k);
-        } else if (k == 0 && !is_blank(cell.text)) {
-            return {};
-        }
+/// The names of a cell, one or several between slashes, and the values behind them.
+struct NamesOfCell {
+    std::vector<DerivedValue> names;
+    std::string_view values;
+};
+
+NamesOfCell read_names(std::string_view text) {
+    if (auto names = read_joined_names(text); !names.empty()) {
+        const std::size_t mark = std::min(text.find_first_of("=:"), text.size() - 1);
+        return {std::move(names), text.substr(mark + 1)};
     }
-    return found;
+    NamesOfCell cell;
+    if (auto name = read_derived_name(text)) {
+        cell.values = name->name == trimmed(text) ? "" : text.substr(value_begin(text));
+        cell.names.push_back(std::move(*name));
+    }
+    return cell;
 }
 
-bool has_decimal_commas(const Sheet& sheet, const SheetRow& row, std::size_t column) {
-    return commas_are_decimal(sheet) || (column < row.cells.size() && row.cells[column].is_quoted);
-}
-
-/// "D10 / D30 / D60" and behind it "0.12 / 0.29 / 0.66", one such cell a soil, or each value in a cell of its own.
-class JoinedRow {
+/// Names with their values behind them, one a soil: "D10,0.12,0.15", or "D10 / D30 / D60" and behind it
+/// "0.12 / 0.29 / 0.66", one such cell a soil, or each value in a cell of its own.
+class ResultRow {
 public:
-    JoinedRow(const Sheet& sheet, const SheetRow& row) : sheet_(sheet), row_(row) {}
+    ResultRow(const Sheet& sheet, const SheetRow& row) : sheet_(sheet), row_(row) {}
 
     std::vector<DerivedValue> read() {
         for (std::size_t k = 0; k < row_.cells.size(); ++k) {
             const std::string& text = row_.cells[k].text;
-            if (auto names = read_joined_names(text); !names.empty()) {
-                begin(std::move(names), row_.cells[k].place);
-                const std::size_t mark = text.find_first_of("=:");
-                take(mark == std::string::npos ? "" : std::string_view(text).substr(mark + 1), k);
-            } else if (found_.empty()) {
-                if (!is_blank(text)) {
-                    return {};
-                }
-            } else if (auto name = read_derived_name(text)) {
-                const bool is_alone = name->name == trimmed(text);
-                begin({std::move(*name)}, row_.cells[k].place);
-                take(is_alone ? "" : std::string_view(text).substr(value_begin(text)), k);
-            } else {
+            if (auto cell = read_names(text); !cell.names.empty()) {
+                begin(std::move(cell.names), row_.cells[k].place);
+                take(cell.values, k);
+            } else if (!found_.empty()) {
                 scale_ = size_scale_of(text) == SizeScale::Unknown ? scale_ : size_scale_of(text);
                 take(text, k);
+            } else if (k == 0 && !is_blank(text)) {
+                return {};
             }
         }
         return std::move(found_);
@@ -114,7 +91,7 @@ private:
     }
 
     void take(std::string_view text, std::size_t column) {
-        const auto parts = split_joined(text);
+        const auto parts = names_.size() > 1 ? split_joined(text) : std::vector<std::string_view>{text};
         if (parts.size() == names_.size()) {
             for (std::size_t i = 0; i < parts.size(); ++i) {
                 set(i, parts[i], column, column);
@@ -126,7 +103,7 @@ private:
     }
 
     void set(std::size_t name, std::string_view text, std::size_t column, std::size_t of_soil) {
-        const auto value = value_in(names_[name], text, scale_, has_decimal_commas(sheet_, row_, column));
+        const auto value = value_in(names_[name], text, scale_, commas_are_decimal(sheet_, row_, column));
         if (!value) {
             return;
         }
@@ -165,26 +142,21 @@ bool are_values_of(const Sheet& sheet, const SheetRow& names, const SheetRow& ro
 } // namespace
 
 std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {
-    auto joined = JoinedRow(sheet, row).read();
-    return joined.empty() ? read_single(sheet, row) : joined;
+    return ResultRow(sheet, row).read();
 }
 
 std::vector<DerivedValue> read_derived_below(const Sheet& sheet, const SheetRow& names, const SheetRow& values) {
     std::vector<DerivedValue> found;
     for (std::size_t k = 0; k < names.cells.size(); ++k) {
-        auto named = read_joined_names(names.cells[k].text);
-        const bool are_joined = !named.empty();
-        if (auto single = are_joined ? std::nullopt : read_derived_name(names.cells[k].text)) {
-            named.push_back(std::move(*single));
-        }
+        auto named = read_names(names.cells[k].text).names;
         const SizeScale scale_of_all = named.empty() ? SizeScale::Unknown : scale_in(named.back().name);
         const auto parts =
-            are_joined ? split_joined(text_at(values, k)) : std::vector<std::string_view>{text_at(values, k)};
+            named.size() > 1 ? split_joined(text_at(values, k)) : std::vector<std::string_view>{text_at(values, k)};
         for (std::size_t i = 0; i < named.size(); ++i) {
             named[i].place = place_at(values, k), named[i].column = k;
             named[i].value = value_in(
                 named[i], i < parts.size() ? parts[i] : std::string_view{}, scale_of_all,
-                has_decimal_commas(sheet, values, k)
+                commas_are_decimal(sheet, values, k)
             );
             found.push_back(std::move(named[i]));
         }
