@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
 
 namespace suffuse::gradings {
 
@@ -39,12 +40,9 @@ Group find_group(const Sheet& sheet) {
 }
 
 std::optional<std::size_t> find_heading(const SheetRow& headings, std::string_view name) {
-    for (std::size_t k = 1; k < headings.cells.size(); ++k) {
-        if (headings.cells[k].text == name) {
-            return k;
-        }
-    }
-    return std::nullopt;
+    const auto found = std::ranges::find(headings.cells, name, &SheetCell::text);
+    return found == headings.cells.end() ? std::nullopt
+                                         : std::optional(static_cast<std::size_t>(found - headings.cells.begin()));
 }
 
 /// "A1 1.20 m B1": location, depth, and what else distinguishes its samples.
@@ -78,9 +76,9 @@ private:
     }
 
     [[nodiscard]] std::size_t count(const Group& group, std::size_t parts) const {
-        std::map<std::string, int> names;
+        std::set<std::string> names;
         for (const SheetRow* row : group.data) {
-            names[name(*row, parts)] = 1;
+            names.insert(name(*row, parts));
         }
         return names.size();
     }
@@ -138,19 +136,11 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
         const std::string name = names.of(*row);
         const auto [found, is_new] = index.try_emplace(name, soils.size());
         if (is_new) {
-            soils.push_back(
-                {name,
-                 ShareMeaning::Passing,
-                 ShareUnit::Percent,
-                 {},
-                 {},
-                 {},
-                 "GRAT_PERP",
-                 group.heading->place,
-                 row->place}
-            );
+            SievedSoil soil;
+            soil.name = name, soil.heading = "GRAT_PERP", soil.size_heading = "GRAT_SIZE";
+            soil.heading_place = group.heading->place, soil.end = row->place;
+            soils.push_back(std::move(soil));
         }
-        soils[found->second].size_heading = "GRAT_SIZE";
         soils[found->second].sieves.push_back(
             {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share), true}
         );

@@ -68,4 +68,7 @@ std::vector<std::pair<std::size_t, Amounts>> find_share_columns(
 /// Of two columns of sizes, of which one is finer in each row, that one: they bound classes.
 std::optional<std::size_t> find_finer_bound(const Sheet& sheet, std::size_t first_row, std::size_t a, std::size_t b);
 
+/// Two columns of numbers, of which one can be the sizes alone; else an error.
+std::optional<GradingColumns> find_unnamed_columns(const Sheet& sheet, Problems& problems);
+
 } // namespace suffuse::gradings

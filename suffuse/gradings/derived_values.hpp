@@ -3,16 +3,44 @@
 // Nothing is taken from them; a remark says where they contradict the curve.
 
 #include "suffuse/base/diagnostics.hpp"
-#include "suffuse/gradings/derived_names.hpp"
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/grains/soil.hpp"
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::gradings {
+
+struct DerivedValue {
+    enum class Kind {
+        SizeAt, ///< D10
+        Uniformity,
+        Curvature,
+        Cobbles,
+        Gravel,
+        Sand,
+        Fines, ///< silt and clay together
+        Silt,
+        Clay,
+        Passing, ///< what passes a named sieve
+        Largest,
+        Other, ///< known, and not a matter of the curve alone: fineness modulus, limits, classes
+    };
+
+    Kind kind = Kind::Other;
+    double at = 0;               ///< share of SizeAt [-], size of Passing [m]
+    std::optional<double> value; ///< size [m], share [-], ratio; empty where none was written
+    std::string name;            ///< as written
+    Place place;
+    std::size_t column = 0; ///< of the value in its sheet, from 0
+};
+
+/// What a text names, as in "D60 (mm)", "% Gravel", "Cu", "D10= 0.12"; empty where it names none of these.
+std::optional<DerivedValue> read_derived_name(std::string_view text);
 
 /// All that a row says: a name before its value, or several; one value a soil in a table of many; names
 /// joined by slashes as well.

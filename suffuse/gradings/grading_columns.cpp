@@ -4,7 +4,6 @@
 #include "suffuse/gradings/column_content.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/soil_columns.hpp"
-#include "suffuse/gradings/unnamed_columns.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -48,18 +48,18 @@ public:
 private:
     /// "63 - 31.5": what lies between two sieves is each one's own.
     void take_classes() {
-        const auto is_class = [this](const SheetRow& row) {
-            return !row.is_comment && split_size_text(text_at(row, columns_.size.index)).sense == SizeSense::Class;
-        };
-        const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(columns_.first_row);
-        const auto row = std::find_if(begin, sheet_.rows.end(), is_class);
+        const auto rows = value_rows(sheet_, columns_.first_row);
+        const auto row = std::ranges::find_if(rows, [this](const SheetRow* one) {
+            return split_size_text(text_at(*one, columns_.size.index)).sense == SizeSense::Class;
+        });
         for (ShareColumn& share : columns_.shares) {
-            if (columns_.upper && is_open(share.meaning)) {
-                share.meaning = ShareMeaning::OnSieve;
-            } else if (row != sheet_.rows.end() && is_open(share.meaning)) {
-                share.meaning = ShareMeaning::OnSieve;
+            if (!is_open(share.meaning) || (!columns_.upper && row == rows.end())) {
+                continue;
+            }
+            share.meaning = ShareMeaning::OnSieve;
+            if (!columns_.upper) {
                 remark(
-                    place_at(*row, columns_.size.index),
+                    place_at(**row, columns_.size.index),
                     "read as the share between two sieves, retained on the finer one"
                 );
             }
@@ -110,13 +110,8 @@ private:
         const bool is_empty = std::ranges::all_of(columns_.shares, [&row](const ShareColumn& share) {
             return is_blank(text_at(row, share.index));
         });
-        switch (read_row_word(word)) {
-        case RowWord::Pan:
-            return read_pan(row, word);
-        case RowWord::Total:
-            return read_total(row, word);
-        case RowWord::None:
-            break;
+        if (const RowWord kind = read_row_word(word); kind != RowWord::None) {
+            return kind == RowWord::Pan ? read_pan(row, word) : read_total(row, word);
         }
         if (is_blank(text_at(row, columns_.size.index)) && (is_empty || is_sum(row))) {
             return remark(
@@ -144,10 +139,23 @@ private:
             return;
         }
         if (!take_bound(row, *size) && (size->diameter != 0 || !take_zero(row))) {
-            for (const ShareColumn& share : columns_.shares) {
-                if (!is_blank(text_at(row, share.index))) {
-                    take(row, share, *size);
-                }
+            take_amounts(row, [&](const ShareColumn& share, double amount, SievedSoil& soil) {
+                soil.end = row.place;
+                soil.sieves.push_back(
+                    {size->diameter, amount, place_at(row, columns_.size.index), place_at(row, share.index),
+                     size->has_unit, size->sense == SizeSense::Finer || size->diameter == 0, size->upper}
+                );
+            });
+        }
+    }
+
+    /// What a row says of each soil, where it says something.
+    template <class Take>
+    void take_amounts(const SheetRow& row, const Take& take) {
+        for (const ShareColumn& share : columns_.shares) {
+            const auto amount = is_blank(text_at(row, share.index)) ? std::nullopt : cells_.read_amount(row, share);
+            if (amount) {
+                take(share, *amount, soil_of(row, share));
             }
         }
     }
@@ -159,10 +167,8 @@ private:
 
     /// What stands in place of the size; in a column before it where that cell is empty: "Total,,100".
     [[nodiscard]] const std::string& word_of(const SheetRow& row) const {
-        const std::string& own = text_at(row, columns_.size.index);
-        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        const bool is_elsewhere = is_blank(own) && first != row.cells.end();
-        return is_elsewhere ? first->text : own;
+        const std::string &own = text_at(row, columns_.size.index), &first = first_text(row);
+        return is_blank(own) && !first.empty() ? first : own;
     }
 
     /// Columns of the header, or of the first row where there is none.
@@ -174,15 +180,23 @@ private:
         return std::max(most, columns_.size.index + 1);
     }
 
+    [[nodiscard]] double sum_above(const SheetRow& row, const ShareColumn& share) const {
+        double sum = 0;
+        for (const SheetRow* above : value_rows(sheet_, columns_.first_row)) {
+            if (above == &row) {
+                break;
+            }
+            sum += number_at(sheet_, *above, share.index).value_or(0);
+        }
+        return sum;
+    }
+
     /// Whether a row without a size is a total that nobody named: it says what stands above, added up.
     [[nodiscard]] bool is_sum(const SheetRow& row) const {
         constexpr double rounding = 0.002;
         return std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
             const auto value = number_at(sheet_, row, share.index);
-            double sum = 0;
-            for (std::size_t k = columns_.first_row; &sheet_.rows[k] != &row; ++k) {
-                sum += sheet_.rows[k].is_comment ? 0 : number_at(sheet_, sheet_.rows[k], share.index).value_or(0);
-            }
+            const double sum = sum_above(row, share);
             const bool is_own_sum = value && *value > 0 && std::abs(*value - sum) <= rounding * *value;
             return is_blank(text_at(row, share.index)) || (keeps(share.meaning) && is_own_sum);
         });
@@ -197,16 +211,12 @@ private:
         }
         return std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
             const auto value = number_at(sheet_, row, share.index);
-            double above = 0;
-            for (std::size_t k = columns_.first_row; &sheet_.rows[k] != &row; ++k) {
-                above += number_at(sheet_, sheet_.rows[k], share.index).value_or(0);
-            }
-            const double whole = share.meaning == ShareMeaning::OnSieve   ? above + value.value_or(0)
+            const bool is_own = share.meaning == ShareMeaning::OnSieve;
+            const double whole = is_own                                   ? sum_above(row, share) + value.value_or(0)
                                  : share.meaning == ShareMeaning::Passing ? 100 - value.value_or(1)
                                                                           : value.value_or(0);
-            return value && share.unit == ShareUnit::Percent && share.meaning != ShareMeaning::Retained &&
-                   !is_open(share.meaning) &&
-                   std::abs(whole - 100) <= (share.meaning == ShareMeaning::OnSieve ? rounding : 0);
+            return value && share.unit == ShareUnit::Percent && !is_open(share.meaning) &&
+                   std::abs(whole - 100) <= (is_own ? rounding : 0);
         });
     }
 
@@ -243,12 +253,8 @@ private:
             return true;
         }
         const bool has_none = std::ranges::all_of(columns_.shares, [&](const ShareColumn& share) {
-            const auto value = number_at(sheet_, row, share.index);
-            return value && *value == 0;
+            return number_at(sheet_, row, share.index) == 0.0;
         });
-        if (!has_none && is_open(columns_.shares.front().meaning)) {
-            return false;
-        }
         if (has_none) {
             remark(row.place, "size 0 is skipped: no grain is that small", "write the size of the smallest grains");
         }
@@ -256,26 +262,18 @@ private:
     }
 
     void read_pan(const SheetRow& row, const std::string& word) {
-        for (const ShareColumn& share : columns_.shares) {
-            if (is_blank(text_at(row, share.index))) {
-                continue;
-            }
-            const auto amount = cells_.read_amount(row, share);
-            if (!amount) {
-                continue;
-            }
-            SievedSoil& soil = soil_of(row, share);
+        take_amounts(row, [&](const ShareColumn& share, double amount, SievedSoil& soil) {
             // what was washed away and what lies in the pan are two parts of one
             const bool is_own = share.meaning == ShareMeaning::OnSieve || is_open(share.meaning);
-            soil.pan = is_own ? soil.pan.value_or(0) + *amount : std::max(soil.pan.value_or(0), *amount);
+            soil.pan = is_own ? soil.pan.value_or(0) + amount : std::max(soil.pan.value_or(0), amount);
             soil.end = row.place;
-            if (share.meaning == ShareMeaning::Passing && *amount != 0) {
+            if (share.meaning == ShareMeaning::Passing && amount != 0) {
                 cells_.complain(
-                    place_at(row, share.index), fmt::format("{:.4g} % passes the pan", 100 * *amount),
+                    place_at(row, share.index), fmt::format("{:.4g} % passes the pan", 100 * amount),
                     "nothing passes it: what it holds belongs into a column `retained on sieve [%]`"
                 );
             }
-        }
+        });
         remark(row.place, fmt::format("`{}` is what passed the finest sieve: it has no size of its own", word));
     }
 
@@ -290,17 +288,6 @@ private:
         remark(row.place, fmt::format("`{}` is skipped: it is not a sieve", word));
     }
 
-    void take(const SheetRow& row, const ShareColumn& share, const CellSize& size) {
-        if (const auto amount = cells_.read_amount(row, share)) {
-            SievedSoil& soil = soil_of(row, share);
-            soil.end = row.place;
-            soil.sieves.push_back(
-                {size.diameter, *amount, place_at(row, columns_.size.index), place_at(row, share.index), size.has_unit,
-                 size.sense == SizeSense::Finer || size.diameter == 0, size.upper}
-            );
-        }
-    }
-
     /// The soil that a row and a column speak of.
     SievedSoil& soil_of(const SheetRow& row, const ShareColumn& share) {
         std::string name = share.name;
@@ -312,13 +299,11 @@ private:
         if (is_new) {
             SievedSoil soil;
             soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit, soil.column = share.index;
-            soil.heading_place =
-                columns_.first_row > 0 ? place_at(sheet_.rows[columns_.first_row - 1], share.index) : row.place;
+            const SheetRow heads =
+                columns_.first_row > 0 ? sheet_.rows[columns_.first_row - 1] : SheetRow{{}, row.place};
+            soil.heading = text_at(heads, share.index), soil.heading_place = place_at(heads, share.index);
+            soil.size_heading = text_at(heads, columns_.size.index);
             soil.end = row.place;
-            if (columns_.first_row > 0) {
-                soil.heading = text_at(sheet_.rows[columns_.first_row - 1], share.index);
-                soil.size_heading = text_at(sheet_.rows[columns_.first_row - 1], columns_.size.index);
-            }
             soil.is_by_number = columns_.is_by_number;
             soil.size_unit =
                 columns_.size.scale == SizeScale::SieveNumber ? "sieve numbers" : scale_name(columns_.size.scale);

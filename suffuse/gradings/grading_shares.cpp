@@ -55,34 +55,28 @@ PossibleMeanings possible_meanings_of(SievedSoil& soil) {
 void complain_about_meaning(const SievedSoil& soil, const PossibleMeanings& possible, Problems& problems) {
     const std::string of_soil = soil.name.empty() ? "" : soil.name + ": ";
     const bool is_mass = soil.unit == ShareUnit::Mass;
+    std::string what =
+        "the numbers neither rise nor fall with the size throughout, nor add up to 100 %: which share are "
+        "they?";
+    std::string advice = "name the column `passing [%]`, `cumulative retained [%]` or `retained on sieve [%]`";
     if (soil.meaning == ShareMeaning::Retained) {
-        problems.error(
-            "E506", soil.heading_place, of_soil + "retained: on each sieve alone, or on it and all coarser ones?",
-            "name the column `retained on sieve [%]` or `cumulative retained [%]`, with [g] where masses were weighed"
-        );
+        what = "retained: on each sieve alone, or on it and all coarser ones?";
+        advice =
+            "name the column `retained on sieve [%]` or `cumulative retained [%]`, with [g] where masses were weighed";
     } else if (possible.adds_up) {
-        problems.error(
-            "E506", soil.heading_place,
-            fmt::format(
-                "{}the numbers fit two readings: {}, because they add up to {}, or {}, because they {} toward the "
-                "finer sieves",
-                of_soil, words_of(ShareMeaning::OnSieve), is_mass ? "the total" : "100 %",
-                words_of(possible.passing ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained),
-                possible.passing ? "fall" : "rise"
-            ),
-            fmt::format(
-                "name the column `retained on sieve [%]` or `{}`",
-                possible.passing ? "passing [%]" : "cumulative retained [%]"
-            )
+        what = fmt::format(
+            "the numbers fit two readings: {}, because they add up to {}, or {}, because they {} toward the finer "
+            "sieves",
+            words_of(ShareMeaning::OnSieve), is_mass ? "the total" : "100 %",
+            words_of(possible.passing ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained),
+            possible.passing ? "fall" : "rise"
         );
-    } else {
-        problems.error(
-            "E506", soil.heading_place,
-            of_soil + "the numbers neither rise nor fall with the size throughout, nor add up to 100 %: which share "
-                      "are they?",
-            "name the column `passing [%]`, `cumulative retained [%]` or `retained on sieve [%]`"
+        advice = fmt::format(
+            "name the column `retained on sieve [%]` or `{}`",
+            possible.passing ? "passing [%]" : "cumulative retained [%]"
         );
     }
+    problems.error("E506", soil.heading_place, of_soil + what, advice);
 }
 
 bool decide_meaning(SievedSoil& soil, Problems& problems) {

@@ -3,9 +3,9 @@
 // Portuguese and Italian: a new word of a laboratory is a word in a table of lexicon.cpp. They are plain: small letters
 // without accents (plain_words of heading.hpp).
 
-#include "suffuse/gradings/derived_names.hpp"
+#include "suffuse/gradings/derived_values.hpp"
 #include "suffuse/gradings/heading.hpp"
-#include "suffuse/gradings/row_words.hpp"
+#include "suffuse/gradings/sheet_values.hpp"
 
 #include <optional>
 #include <span>

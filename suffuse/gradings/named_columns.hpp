@@ -2,14 +2,19 @@
 // A table of which the user names the columns of sizes and shares: nothing is inferred but units that are not given.
 
 #include "suffuse/gradings/reading_options.hpp"
+#include "suffuse/gradings/sheet.hpp"
 #include "suffuse/gradings/sheet_tables.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace suffuse::gradings {
 
 /// The named columns as a table of their own, with the columns of samples next to them. Empty where the sheet has no
 /// such column, or the options contradict each other, which is reported.
 std::optional<SheetTable> read_named_columns(const Sheet& sheet, const ReadingOptions& options, Problems& problems);
+
+/// Readings to be tried, the likeliest first; a bounded number of them.
+std::vector<ReadingOptions> guess_readings(const Sheet& sheet);
 
 } // namespace suffuse::gradings

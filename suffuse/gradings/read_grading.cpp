@@ -6,7 +6,6 @@
 #include "suffuse/gradings/ags_grading.hpp"
 #include "suffuse/gradings/grading_tables.hpp"
 #include "suffuse/gradings/named_columns.hpp"
-#include "suffuse/gradings/reading_guess.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_text.hpp"
 

@@ -1,12 +1,15 @@
 #pragma once
-// The row of a sheet that names its columns, and a row of units below it.
+// The rows above the values of a table: titles, which say of which sample it is, its dry mass, the unit of sizes and
+// whether a hydrometer measured it; the row that names its columns; and a row of units below that.
 
 #include "suffuse/base/diagnostics.hpp"
+#include "suffuse/gradings/grading_columns.hpp"
 #include "suffuse/gradings/heading.hpp"
 #include "suffuse/gradings/sheet.hpp"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace suffuse::gradings {
@@ -35,5 +38,20 @@ bool is_too_wide(const Sheet& sheet, Problems& problems);
 
 /// Rows that are looked through for headings.
 constexpr std::size_t most_titles = 60;
+
+/// "Sample: TP1 0.5 m", "Borehole,BH3": the name; empty where the row gives none.
+std::string sample_named_in(const SheetRow& row);
+
+/// "Dry mass of specimen (g): 500", "Masse s\u00e8che totale;1600 g" [kg].
+std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row);
+
+/// The dry mass that the rows agree on; empty where they state none, or several.
+std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows);
+
+/// "Sizes in um", "Grain size: mm": the last one that the rows from `begin` to before `end` give, else the one before.
+StatedUnit find_size_unit(const Sheet& sheet, std::size_t begin, std::size_t end, const StatedUnit& before = {});
+
+/// "Sedimentation", "HYDROMETER (mm)".
+bool names_hydrometer(const SheetRow& row);
 
 } // namespace suffuse::gradings

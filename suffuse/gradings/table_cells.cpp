@@ -50,11 +50,9 @@ std::string no_size(const std::string& text) {
 
 TableCells::TableCells(const Sheet& sheet, const GradingColumns& columns, bool mixes_units, Problems& problems)
     : sheet_(sheet), columns_(columns), problems_(problems), mixes_units_(mixes_units) {
-    for (std::size_t k = columns.first_row; k < sheet.rows.size() && !has_points_; ++k) {
-        const SheetRow& row = sheet.rows[k];
-        has_points_ =
-            !row.is_comment && (has_point(row, columns.size.index) || has_point(row, columns.shares.front().index));
-    }
+    has_points_ = std::ranges::any_of(value_rows(sheet, columns.first_row), [&columns](const SheetRow* row) {
+        return has_point(*row, columns.size.index) || has_point(*row, columns.shares.front().index);
+    });
 }
 
 void TableCells::complain(const Place& place, const std::string& what, const std::string& advice) {
@@ -70,14 +68,14 @@ ShareUnit TableCells::decide_unit(const ShareColumn& share) {
     constexpr double least_end = 0.5; // a curve of percents that ends below is refused later on
     double most = 0;
     const SheetRow* at = nullptr;
-    for (std::size_t k = columns_.first_row; k < sheet_.rows.size(); ++k) {
-        const auto value = number_at(sheet_, sheet_.rows[k], share.index);
-        const bool has_percent = text_at(sheet_.rows[k], share.index).find('%') != std::string::npos;
+    for (const SheetRow* row : value_rows(sheet_, columns_.first_row)) {
+        const auto value = number_at(sheet_, *row, share.index);
+        const bool has_percent = text_at(*row, share.index).find('%') != std::string::npos;
         if (has_percent || (value && *value > 1.0000001)) {
             return ShareUnit::Percent;
         }
         if (value && *value > most) {
-            most = *value, at = &sheet_.rows[k];
+            most = *value, at = row;
         }
     }
     if (!(most > least_end) || at == nullptr) {
@@ -94,9 +92,8 @@ ShareUnit TableCells::decide_unit(const ShareColumn& share) {
 std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
     const std::size_t column = columns_.size.index;
     const std::string& text = text_at(row, column);
-    const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
-    const bool comma = sheet_.mark != ',' || is_quoted;
-    if (text.find(',') != std::string::npos && !check_comma(row, column)) {
+    const bool comma = commas_are_decimal(sheet_, row, column);
+    if (!check_comma(row, column)) {
         return std::nullopt;
     }
     const SizeText split = split_size_text(text);
@@ -138,9 +135,9 @@ std::optional<CellSize> TableCells::read_size(const SheetRow& row) {
 
 /// A decimal comma where commas separate, or together with decimal points.
 bool TableCells::check_comma(const SheetRow& row, std::size_t column) {
-    const std::string& text = row.cells[column].text;
+    const std::string& text = text_at(row, column);
     const bool is_ambiguous = has_points_ || (sheet_.mark == ',' && may_be_thousands(text));
-    if (!is_ambiguous || text.find('/') != std::string::npos) {
+    if (text.find(',') == std::string::npos || !is_ambiguous || text.find('/') != std::string::npos) {
         return true;
     }
     complain(
@@ -171,14 +168,11 @@ std::optional<double> TableCells::read_amount(const SheetRow& row, const ShareCo
 std::optional<double> TableCells::read_value(const SheetRow& row, std::size_t column, const ShareColumn& share) {
     const ShareUnit unit = share.unit;
     std::string text(trimmed(text_at(row, column)));
-    const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
-    if (text.find(',') != std::string::npos) {
-        if (!check_comma(row, column)) {
-            return std::nullopt;
-        }
-        if (sheet_.mark != ',' || is_quoted) {
-            std::replace(text.begin(), text.end(), ',', '.');
-        }
+    if (!check_comma(row, column)) {
+        return std::nullopt;
+    }
+    if (commas_are_decimal(sheet_, row, column)) {
+        std::replace(text.begin(), text.end(), ',', '.');
     }
     const char* const own = unit == ShareUnit::Percent ? "%" : unit == ShareUnit::Mass ? share.mass_unit : "1";
     const double part = unit == ShareUnit::PerMille ? 1e-3 : 1;

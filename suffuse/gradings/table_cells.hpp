@@ -3,7 +3,7 @@
 // decimal points or commas. What cannot be read is an error.
 
 #include "suffuse/gradings/grading_columns.hpp"
-#include "suffuse/gradings/row_words.hpp"
+#include "suffuse/gradings/sheet_values.hpp"
 
 #include <optional>
 #include <string>

@@ -2,7 +2,6 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
-#include "suffuse/gradings/sheet_titles.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "suffuse/gradings/row_words.hpp"
+#include "suffuse/gradings/sheet_values.hpp"
 
 #include <gtest/gtest.h>
 
