@@ -119,11 +119,9 @@ struct Comparison {
 Comparison compare_size(const DerivedValue& value, const Grading& curve) {
     const Range range = value.kind == Kind::Largest ? Range{size_range(curve, 1 - 2 * share_rounding).least, endless}
                                                     : size_range(curve, value.at);
-    Comparison comparison;
-    if (!is_within(*value.value, range, 0, digit_rounding)) {
-        comparison = {fmt::format("{:.3g} mm", 1e3 * *value.value), in_words(range, 1e-3, " mm")};
-    }
-    return comparison;
+    const bool agree = is_within(*value.value, range, 0, digit_rounding);
+    return agree ? Comparison{}
+                 : Comparison{fmt::format("{:.3g} mm", 1e3 * *value.value), in_words(range, 1e-3, " mm")};
 }
 
 Comparison compare_ratio(const DerivedValue& value, const Grading& curve) {
@@ -131,11 +129,8 @@ Comparison compare_ratio(const DerivedValue& value, const Grading& curve) {
     const Range range = value.kind == Kind::Uniformity
                             ? over(d60, d10)
                             : over(over({d30.least * d30.least, d30.most * d30.most}, d60), d10);
-    Comparison comparison;
-    if (!is_within(*value.value, range, 0, digit_rounding)) {
-        comparison = {fmt::format("{:.3g}", *value.value), in_words(range, 1, "")};
-    }
-    return comparison;
+    const bool agree = is_within(*value.value, range, 0, digit_rounding);
+    return agree ? Comparison{} : Comparison{fmt::format("{:.3g}", *value.value), in_words(range, 1, "")};
 }
 
 Comparison compare_share(const DerivedValue& value, const Grading& curve) {
@@ -143,18 +138,16 @@ Comparison compare_share(const DerivedValue& value, const Grading& curve) {
     const Range by_astm =
         value.kind == Kind::Passing ? passing_range(curve, value.at) : share_range(curve, value.kind, astm);
     const Range by_iso = value.kind == Kind::Passing ? by_astm : share_range(curve, value.kind, iso);
-    Comparison comparison;
     const double share = *value.value;
     const bool is_fraction = share <= 0.01 && is_within(100 * share, by_astm, rounding, 0);
-    if (!is_within(share, by_astm, rounding, 0) && !is_within(share, by_iso, rounding, 0) && !is_fraction) {
-        comparison.given = fmt::format("{:.3g} %", 100 * share);
-        comparison.found = value.kind == Kind::Passing ? in_words(by_astm, 0.01, " %")
-                                                       : fmt::format(
-                                                             "{} by ASTM D2487 and {} by ISO 14688",
-                                                             in_words(by_astm, 0.01, " %"), in_words(by_iso, 0.01, " %")
-                                                         );
+    if (is_within(share, by_astm, rounding, 0) || is_within(share, by_iso, rounding, 0) || is_fraction) {
+        return {};
     }
-    return comparison;
+    const std::string astm_words = in_words(by_astm, 0.01, " %"), iso_words = in_words(by_iso, 0.01, " %");
+    return {
+        fmt::format("{:.3g} %", 100 * share),
+        value.kind == Kind::Passing ? astm_words
+                                    : fmt::format("{} by ASTM D2487 and {} by ISO 14688", astm_words, iso_words)};
 }
 
 } // namespace

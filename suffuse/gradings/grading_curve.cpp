@@ -48,15 +48,13 @@ bool check_values(const std::vector<GradingPoint>& points, Problems& problems) {
 void clip_noise(std::vector<GradingPoint>& points, Problems& problems) {
     for (GradingPoint& point : points) {
         const double clipped = std::clamp(point.passing, 0.0, 1.0), off = std::abs(point.passing - clipped);
-        if (off > 0 && off <= noise) {
-            if (off > 1e-9) {
-                problems.warning(
-                    sheet_remark, point.passing_place,
-                    fmt::format("{} passing is read as {}", in_percent(point.passing), in_percent(clipped))
-                );
-            }
-            point.passing = clipped;
+        if (off > 1e-9 && off <= noise) {
+            problems.warning(
+                sheet_remark, point.passing_place,
+                fmt::format("{} passing is read as {}", in_percent(point.passing), in_percent(clipped))
+            );
         }
+        point.passing = off <= noise ? clipped : point.passing;
     }
 }
 
@@ -238,27 +236,21 @@ bool check_units(const std::vector<GradingPoint>& points, Problems& problems) {
 
 /// From nothing to everything, sizes rising.
 bool check_ends(const std::vector<GradingPoint>& points, Problems& problems) {
-    if (points.front().passing != 0) {
-        problems.error(
-            "E504", points.front().passing_place,
-            fmt::format(
-                "the curve starts at {} passing {}", in_percent(points.front().passing), in_mm(points.front().diameter)
-            ),
-            "add the size that nothing passes (0 %): the smallest grains that you want to model"
-        );
-        return false;
+    const bool is_open_below = points.front().passing != 0;
+    const GradingPoint& end = is_open_below ? points.front() : points.back();
+    if (end.passing == (is_open_below ? 0 : 1)) {
+        return true;
     }
-    if (points.back().passing != 1) {
-        problems.error(
-            "E504", points.back().passing_place,
-            fmt::format(
-                "the curve ends at {} passing {}", in_percent(points.back().passing), in_mm(points.back().diameter)
-            ),
-            "add the size that everything passes (100 %)"
-        );
-        return false;
-    }
-    return true;
+    problems.error(
+        "E504", end.passing_place,
+        fmt::format(
+            "the curve {} at {} passing {}", is_open_below ? "starts" : "ends", in_percent(end.passing),
+            in_mm(end.diameter)
+        ),
+        is_open_below ? "add the size that nothing passes (0 %): the smallest grains that you want to model"
+                      : "add the size that everything passes (100 %)"
+    );
+    return false;
 }
 
 } // namespace

@@ -25,45 +25,48 @@ struct Reading {
     Problems problems;
 };
 
-/// Keeps the specified table. @return whether there is one
-bool restrict_to(const ReadingOptions& options, Reading& reading, std::vector<SheetTable>& tables) {
-    if (!options.sheet) {
-        return true;
-    }
-    const auto number = static_cast<std::size_t>(*options.sheet);
+/// The specified table alone; all where there is no such table, which is reported.
+std::vector<SheetTable>
+restrict_to(const ReadingOptions& options, const Sheet& sheet, std::vector<SheetTable> tables, Problems& problems) {
+    const auto number = static_cast<std::size_t>(options.sheet.value_or(1));
     if (number < 1 || number > tables.size()) {
-        reading.problems.error(
-            "E506", reading.sheet.rows.front().place,
+        problems.error(
+            "E506", sheet.rows.front().place,
             fmt::format("sheet {}: the file has {} {}", number, tables.size(), tables.size() == 1 ? "table" : "tables"),
             "count the tables from 1"
         );
-        return false;
+    } else if (options.sheet) {
+        tables = {tables[number - 1]};
     }
-    SheetTable chosen = std::move(tables[number - 1]);
-    tables.clear();
-    tables.push_back(std::move(chosen));
-    return true;
+    return tables;
 }
 
 /// The sheet of columns that the user names: of the file, or of one of its tables.
 void take_named_columns(const ReadingOptions& options, Reading& reading) {
-    std::vector<SheetTable> tables(1);
-    if (options.sheet) {
-        Problems unheard;
-        tables = cut_tables(reading.sheet, unheard);
-    }
-    if (!restrict_to(options, reading, tables)) {
-        return;
-    }
-    const Sheet& sheet = options.sheet ? tables.front().sheet : reading.sheet;
-    if (auto table = read_named_columns(sheet, options, reading.problems)) {
-        reading.tables.push_back(std::move(*table));
+    Problems unheard;
+    const auto tables = options.sheet
+                            ? restrict_to(options, reading.sheet, cut_tables(reading.sheet, unheard), reading.problems)
+                            : std::vector<SheetTable>{{reading.sheet}};
+    if (!reading.problems.has_errors()) {
+        if (auto table = read_named_columns(tables.front().sheet, options, reading.problems)) {
+            reading.tables.push_back(std::move(*table));
+        }
     }
 }
 
-void mark_by_number(const ReadingOptions& options, Reading& reading) {
-    for (SheetTable& table : reading.tables) {
-        table.columns->is_by_number = options.by == "number";
+/// The tables of a sheet with their columns, where all have some.
+void take_tables(const ReadingOptions& options, Reading& reading) {
+    auto tables = restrict_to(options, reading.sheet, cut_tables(reading.sheet, reading.problems), reading.problems);
+    bool have_columns = true;
+    for (SheetTable& table : tables) {
+        table.columns = table.columns ? table.columns : find_grading_columns(table.sheet, reading.problems);
+        have_columns = have_columns && table.columns;
+        if (table.columns) {
+            table.columns->stated_unit = table.size_unit;
+        }
+    }
+    if (have_columns && !reading.problems.has_errors()) {
+        reading.tables = std::move(tables);
     }
 }
 
@@ -84,26 +87,10 @@ Reading try_mark(const std::shared_ptr<const Source>& source, char mark, const R
     if (reading.sheet.rows.empty() || is_too_wide(reading.sheet, reading.problems)) {
         return reading;
     }
-    if (options.name_columns()) {
-        take_named_columns(options, reading);
-        mark_by_number(options, reading);
-        return reading;
+    options.name_columns() ? take_named_columns(options, reading) : take_tables(options, reading);
+    for (SheetTable& table : reading.tables) {
+        table.columns->is_by_number = options.by == "number";
     }
-    auto tables = cut_tables(reading.sheet, reading.problems);
-    bool have_columns = restrict_to(options, reading, tables);
-    for (SheetTable& table : tables) {
-        if (!table.columns) {
-            table.columns = find_grading_columns(table.sheet, reading.problems);
-        }
-        have_columns = have_columns && table.columns;
-        if (table.columns) {
-            table.columns->stated_unit = table.size_unit;
-        }
-    }
-    if (have_columns && !reading.problems.has_errors()) {
-        reading.tables = std::move(tables);
-    }
-    mark_by_number(options, reading);
     return reading;
 }
 
@@ -124,14 +111,10 @@ bool holds_two_numbers(const SheetCell& cell) {
 /// Whether the mark cuts each line below headings that it cuts, too: then the text has no other columns, and what is
 /// wrong is wrong between these.
 bool is_cut_throughout(const Reading& reading) {
-    const auto& rows = reading.sheet.rows;
-    const auto first = std::ranges::find_if(rows, [](const SheetRow& row) { return !row.is_comment; });
-    const bool is_headed =
-        first != rows.end() && first->cells.size() > 1 && std::ranges::none_of(first->cells, [](const SheetCell& cell) {
-            return plain_number(cell.text, true).has_value();
-        });
-    return is_headed && reading.sheet.mark != wide_blanks && std::all_of(first, rows.end(), [](const SheetRow& row) {
-               return row.is_comment || (row.cells.size() > 1 && std::ranges::none_of(row.cells, holds_two_numbers));
+    const auto rows = value_rows(reading.sheet, 0);
+    return !rows.empty() && !has_number(*rows.front()) && reading.sheet.mark != wide_blanks &&
+           std::ranges::all_of(rows, [](const SheetRow* row) {
+               return row->cells.size() > 1 && std::ranges::none_of(row->cells, holds_two_numbers);
            });
 }
 
@@ -164,9 +147,7 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
         return std::nullopt;
     }
     Reading reading = choose_mark(source, options);
-    const bool has_values =
-        std::ranges::any_of(reading.sheet.rows, [](const SheetRow& row) { return !row.is_comment; });
-    if (!has_values) {
+    if (value_rows(reading.sheet, 0).empty()) {
         problems.error("E505", {source, 0, 0, 1}, "the file is empty", expected_header);
         return std::nullopt;
     }
@@ -225,9 +206,8 @@ std::vector<NamedGrading> parse_text(
     auto soils = is_ags ? read_ags_soils(text, problems) : read_sheet(text, options, problems);
     std::vector<NamedGrading> gradings;
     bool is_good = soils.has_value();
-    const std::size_t count = soils ? soils->size() : 0;
     for (SoilPoints& soil : soils ? *soils : std::vector<SoilPoints>{}) {
-        const std::string name = count > 1 ? soil.name : "";
+        const std::string name = soils->size() > 1 ? soil.name : "";
         auto grading = make_grading(std::move(soil.points), origin, {text, 0, 0, 1}, problems, ends);
         is_good = is_good && grading;
         if (grading) {
@@ -248,30 +228,22 @@ std::vector<NamedGrading> parse_text(
 /// them.
 std::string find_command(const std::shared_ptr<const Source>& text, CurveEnds ends) {
     constexpr std::size_t most_bytes = 1U << 16U; // it is read again for each guess
-    std::string command;
-    if (text->text.size() > most_bytes) {
-        return command;
-    }
+    std::vector<std::string> commands;
     std::string size, share;
-    for (const char mark : possible_marks(text->text)) {
-        for (const ReadingOptions& guess : guess_readings(split_sheet(text, mark))) {
+    const auto marks = text->text.size() > most_bytes ? std::vector<char>{} : possible_marks(text->text);
+    for (auto mark = marks.begin(); mark != marks.end() && commands.empty(); ++mark) {
+        for (const ReadingOptions& guess : guess_readings(split_sheet(text, *mark))) {
             const std::string own = guess.share + guess.passing + guess.retained + guess.mass;
             Problems unheard;
-            const bool is_other = !command.empty() && (guess.size != size || own != share);
+            const bool is_other = !commands.empty() && (guess.size != size || own != share);
             if (!is_other && !parse_text(text, text->name, ends, guess, unheard).empty()) {
-                command += fmt::format(
-                    "{}{}", command.empty() ? "" : " or ",
-                    command.empty() ? fmt::format("suffuse assess {} {}", shell_word(text->name), command_words(guess))
-                                    : command_words(guess)
-                );
+                commands.push_back(command_words(guess));
                 size = guess.size, share = own;
             }
         }
-        if (!command.empty()) {
-            return command;
-        }
     }
-    return command;
+    return commands.empty() ? ""
+                            : fmt::format("suffuse assess {} {}", shell_word(text->name), fmt::join(commands, " or "));
 }
 
 } // namespace

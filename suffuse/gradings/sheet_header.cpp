@@ -19,16 +19,27 @@ bool has_kind(const std::vector<Heading>& headings, ColumnKind kind) {
     return std::ranges::any_of(headings, [kind](const Heading& heading) { return heading.kind == kind; });
 }
 
+bool has_share(const std::vector<Heading>& headings) {
+    return has_kind(headings, ColumnKind::Share) || has_kind(headings, ColumnKind::Gross);
+}
+
+/// Headings in two lines: "Sieve" above "(mm)".
+std::vector<Heading> join_headings(const SheetRow& above, const SheetRow& below) {
+    std::vector<Heading> joined;
+    for (std::size_t k = 0; k < above.cells.size(); ++k) {
+        joined.push_back(read_heading(text_at(above, k) + " " + text_at(below, k)));
+    }
+    return joined;
+}
+
 /// A row of headings: one says size, and no cell of it is one.
 std::optional<SheetHeader> read_header(const SheetRow& cells, std::size_t row) {
     SheetHeader header{row, 1, {}, false};
-    bool has_size = false;
     for (const SheetCell& cell : cells.cells) {
         header.headings.push_back(read_heading(cell.text));
-        has_size = has_size || header.headings.back().kind == ColumnKind::Size;
     }
-    const bool has_share = has_kind(header.headings, ColumnKind::Share) || has_kind(header.headings, ColumnKind::Gross);
-    header.is_complete = has_size && has_share;
+    const bool has_size = has_kind(header.headings, ColumnKind::Size);
+    header.is_complete = has_size && has_share(header.headings);
     return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
 }
 
@@ -46,13 +57,12 @@ std::optional<SheetHeader> join_above(const Sheet& sheet, std::size_t row) {
         !has_no_digit(above) || !has_no_digit(below)) {
         return std::nullopt;
     }
-    SheetHeader joined{row - 1, 2, {}, false};
+    SheetHeader joined{row - 1, 2, join_headings(above, below), false};
     bool has_size_below = false, has_share_above = false;
     for (std::size_t k = 0; k < above.cells.size(); ++k) {
         const bool is_size = read_heading(text_at(below, k)).kind == ColumnKind::Size;
         has_size_below = has_size_below || is_size;
         has_share_above = has_share_above || (!is_size && read_heading(text_at(above, k)).kind == ColumnKind::Share);
-        joined.headings.push_back(read_heading(text_at(above, k) + " " + text_at(below, k)));
     }
     joined.is_complete = has_size_below && has_share_above && has_kind(joined.headings, ColumnKind::Size) &&
                          has_kind(joined.headings, ColumnKind::Share);
@@ -95,9 +105,9 @@ bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
     if (row >= sheet.rows.size() || sheet.rows[row].is_comment || 2 * sheet.rows[row].cells.size() < columns) {
         return false;
     }
-    return std::ranges::none_of(sheet.rows[row].cells, [](const SheetCell& cell) {
-        return cell.text.find_first_of("0123456789") != std::string::npos || read_row_word(cell.text) != RowWord::None;
-    });
+    return has_no_digit(sheet.rows[row]) && std::ranges::none_of(sheet.rows[row].cells, [](const SheetCell& cell) {
+               return read_row_word(cell.text) != RowWord::None;
+           });
 }
 
 constexpr std::size_t most_columns = 2000;
@@ -169,19 +179,17 @@ std::vector<std::size_t> columns_of_kind(const std::vector<Heading>& headings, C
 }
 
 bool is_too_wide(const Sheet& sheet, Problems& problems) {
-    for (std::size_t k = 0; k < sheet.rows.size() && k < most_titles; ++k) {
-        if (sheet.rows[k].cells.size() > most_columns) {
-            problems.error(
-                "E506", {sheet.rows[k].place.source, sheet.rows[k].place.line, 1, 1},
-                fmt::format(
-                    "{} columns, and a table of gradings has at most {}", sheet.rows[k].cells.size(), most_columns
-                ),
-                "is this the right file? Write a line for each sieve"
-            );
-            return true;
-        }
+    const auto row =
+        std::ranges::find_if(sheet.rows, [](const SheetRow& one) { return one.cells.size() > most_columns; });
+    const bool is_wide = row != sheet.rows.end() && row - sheet.rows.begin() < static_cast<std::ptrdiff_t>(most_titles);
+    if (is_wide) {
+        problems.error(
+            "E506", {row->place.source, row->place.line, 1, 1},
+            fmt::format("{} columns, and a table of gradings has at most {}", row->cells.size(), most_columns),
+            "is this the right file? Write a line for each sieve"
+        );
     }
-    return false;
+    return is_wide;
 }
 
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
@@ -194,18 +202,9 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     if (take_unit_row(second, units)) {
         return header; // distinguished by who reads the values
     }
-    std::vector<Heading> joined;
-    for (std::size_t k = 0; k < header->headings.size(); ++k) {
-        joined.push_back(read_heading(text_at(first, k) + " " + text_at(second, k)));
-    }
-    if (!has_kind(joined, ColumnKind::Size)) {
-        return header; // the second line is none of theirs
-    }
-    header->lines = 2;
-    header->headings = std::move(joined);
-    header->is_complete =
-        has_kind(header->headings, ColumnKind::Share) || has_kind(header->headings, ColumnKind::Gross);
-    return header;
+    SheetHeader joined{header->row, 2, join_headings(first, second), false};
+    joined.is_complete = has_share(joined.headings);
+    return has_kind(joined.headings, ColumnKind::Size) ? joined : header; // else the second line is none of theirs
 }
 
 bool is_complete_header(const SheetRow& row) {
@@ -260,13 +259,12 @@ std::string sample_named_in(const SheetRow& row) {
 std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row) {
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
         const std::string& text = row.cells[k].text;
-        const std::string_view named = std::string_view(text).substr(0, std::min(text.find(':'), text.size()));
+        const std::string_view named = std::string_view(text).substr(0, text.find(':'));
         if (!names_dry_mass(fmt::format(" {} ", plain_words(named)))) {
             continue;
         }
         const Heading heading = read_heading(named);
-        const bool is_quoted = k + 1 < row.cells.size() && row.cells[k + 1].is_quoted;
-        return mass_in(value_after(row, k), heading.mass_unit, commas_are_decimal(sheet) || is_quoted);
+        return mass_in(value_after(row, k), heading.mass_unit, commas_are_decimal(sheet, row, k + 1));
     }
     return std::nullopt;
 }

@@ -231,7 +231,7 @@ private:
             is_apart = is_apart || (k >= last && k > values && row.place.line > sheet_.rows[k - 1].place.line + 1);
             has_begun = has_begun || is_sieve(row); // a word below the headings belongs to them
             if (!row.is_comment && has_begun && is_note(row, k >= last, is_apart)) {
-                table_.notes.others.push_back(&row);
+                table_.notes.others.push_back(row);
                 is_apart = k >= last;
             } else {
                 table_.sheet.rows.push_back(row);
@@ -358,15 +358,15 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
 void remark_on_notes(const TableNotes& notes, Problems& problems) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
-    for (const SheetRow* row : notes.others) {
-        if (names.size() < most && !is_blank(first_text(*row))) {
-            names.push_back(fmt::format("`{}`", first_text(*row)));
+    for (const SheetRow& row : notes.others) {
+        if (names.size() < most && !is_blank(first_text(row))) {
+            names.push_back(fmt::format("`{}`", first_text(row)));
         }
     }
     if (!names.empty()) {
         const std::size_t left = notes.others.size() - names.size();
         problems.warning(
-            sheet_remark, notes.others.front()->place,
+            sheet_remark, notes.others.front().place,
             fmt::format(
                 "skipped as notes because they are not sieves: {}{}", fmt::join(names, ", "),
                 left > 0 ? fmt::format(" and {} more", left) : ""

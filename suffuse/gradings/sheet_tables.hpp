@@ -15,7 +15,7 @@ namespace suffuse::gradings {
 /// Rows below a table, and within it, that are no sieves.
 struct TableNotes {
     std::vector<DerivedValue> derived;
-    std::vector<const SheetRow*> others; ///< of the sheet that was cut
+    std::vector<SheetRow> others;
 };
 
 struct SheetTable {
@@ -28,7 +28,7 @@ struct SheetTable {
     StatedUnit size_unit = {};  ///< by a title or a comment
 };
 
-/// At least one. The sheet must outlive what is returned.
+/// At least one.
 std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems);
 
 /// One line for the notes of a table, and one for the values derived from its curve.

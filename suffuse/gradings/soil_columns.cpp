@@ -65,13 +65,11 @@ RowLabel label_of(const SheetRow& row, const Columns& columns) {
 Names names_above(const Sheet& sheet, std::size_t header_row, const Columns& columns) {
     Names joined(columns.size());
     bool is_next = true;
-    for (std::size_t k = header_row; k-- > 0;) {
-        const SheetRow& row = sheet.rows[k];
-        if (row.is_comment) {
-            continue;
-        }
-        const Names texts = texts_over(row, columns);
-        const RowLabel label = label_of(row, columns);
+    auto rows = value_rows(sheet, 0, header_row);
+    std::ranges::reverse(rows);
+    for (const SheetRow* row : rows) {
+        const Names texts = texts_over(*row, columns);
+        const RowLabel label = label_of(*row, columns);
         if (are_names(texts) && label == RowLabel::None && is_next) {
             return texts;
         }
@@ -88,15 +86,13 @@ bool agree(const Sheet& sheet, std::size_t masses, std::size_t percents, std::si
     constexpr double rounding = 0.0006; // of percents with one digit, and a little
     double sum = 0;
     std::vector<std::pair<double, double>> pairs;
-    for (std::size_t k = first_row; k < sheet.rows.size(); ++k) {
-        const SheetRow& row = sheet.rows[k];
-        const auto first = std::ranges::find_if(row.cells, [](const SheetCell& cell) { return !is_blank(cell.text); });
-        const bool is_total = first != row.cells.end() && read_row_word(first->text) == RowWord::Total;
-        const auto mass = number_at(sheet, row, masses), percent = number_at(sheet, row, percents);
-        if (!row.is_comment && !is_total && mass.has_value() != percent.has_value()) {
+    for (const SheetRow* row : value_rows(sheet, first_row)) {
+        const bool is_total = read_row_word(first_text(*row)) == RowWord::Total;
+        const auto mass = number_at(sheet, *row, masses), percent = number_at(sheet, *row, percents);
+        if (!is_total && mass.has_value() != percent.has_value()) {
             return false;
         }
-        if (!row.is_comment && !is_total && mass) {
+        if (!is_total && mass) {
             sum += *mass, pairs.emplace_back(*mass, *percent);
         }
     }

@@ -152,7 +152,7 @@ private:
                 samples_.push_back(&row);
                 begin_with_sizes = begin_with_sizes && across_.columns.front() > 0 && is_size(sheet_, row, 0);
             } else if (!row.is_comment) {
-                others_.push_back(&row);
+                others_.push_back(row);
             }
         }
         const bool has_no_label = across_.columns.front() > 0 && is_blank(text_at(sheet_.rows[across_.row], 0));
@@ -225,16 +225,16 @@ private:
     /// A page may repeat the sieves; other sieves would be those of the samples below them.
     void check_second_heads() {
         const SheetRow& heads = sheet_.rows[across_.row];
-        for (const SheetRow* row : others_) {
-            const auto sizes = std::ranges::count_if(row->cells, [](const SheetCell& cell) {
+        for (const SheetRow& row : others_) {
+            const auto sizes = std::ranges::count_if(row.cells, [](const SheetCell& cell) {
                 return !size_in_heading(cell.text, false).empty();
             });
             const bool is_repeated = std::ranges::all_of(across_.columns, [&](std::size_t k) {
-                return text_at(*row, k) == heads.cells[k].text;
+                return text_at(row, k) == heads.cells[k].text;
             });
             if (sizes >= static_cast<std::ptrdiff_t>(least_sieves) && !is_repeated) {
                 problems_.error(
-                    "E502", row->place, "a second row of sieves that differs from the first",
+                    "E502", row.place, "a second row of sieves that differs from the first",
                     "keep each table with its sieves in a file of its own"
                 );
             }
@@ -273,7 +273,7 @@ private:
         for (const SheetRow* row : samples_) {
             const auto own = std::ranges::find(named, row, &std::pair<const SheetRow*, Heading>::first);
             if (!named.empty() && own == named.end()) {
-                table.notes.others.push_back(row);
+                table.notes.others.push_back(*row);
                 continue;
             }
             const Heading& heading = own == named.end() ? meaning : own->second;
@@ -295,8 +295,9 @@ private:
             table.sheet.rows.push_back(std::move(line));
         }
         add_derived(taken, table);
-        const auto titles = value_rows(sheet_, 0, across_.row - (goes_on(across_.row) ? 1U : 0U));
-        table.notes.others.insert(table.notes.others.end(), titles.begin(), titles.end());
+        for (const SheetRow* title : value_rows(sheet_, 0, across_.row - (goes_on(across_.row) ? 1U : 0U))) {
+            table.notes.others.push_back(*title);
+        }
         table.notes.others.insert(table.notes.others.end(), others_.begin(), others_.end());
         table.columns = std::move(columns);
         table.size_unit = find_size_unit(sheet_, 0, across_.row + 1);
@@ -346,7 +347,8 @@ private:
     const Sheet& sheet_;
     Problems& problems_;
     SieveRowAcross across_;
-    std::vector<const SheetRow*> samples_, others_;
+    std::vector<const SheetRow*> samples_;
+    std::vector<SheetRow> others_;
     std::vector<DerivedValue> derived_;
     std::set<std::string> names_;
 };
