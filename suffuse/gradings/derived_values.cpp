@@ -19,19 +19,6 @@ namespace {
 
 using Kind = DerivedValue::Kind;
 
-std::vector<std::string> words_of(std::string_view text) {
-    std::vector<std::string> words;
-    const std::string plain = plain_words(text);
-    for (std::size_t begin = 0; begin < plain.size();) {
-        const std::size_t end = std::min(plain.find(' ', begin), plain.size());
-        if (end > begin) {
-            words.push_back(plain.substr(begin, end - begin));
-        }
-        begin = end + 1;
-    }
-    return words;
-}
-
 /// "d10", "d 10", "D(0.1)": the share passing.
 std::optional<double> read_percentile(std::string_view text) {
     std::string plain;
@@ -58,12 +45,14 @@ std::optional<double> read_percentile(std::string_view text) {
     return *number < 1 ? *number : *number / 100;
 }
 
-std::optional<Kind> kind_of(const std::vector<std::string>& words) {
-    if (words == std::vector<std::string>{"f", "m"}) { // F.M., the fineness modulus
+std::optional<Kind> kind_of(std::string_view name) {
+    const std::string plain = plain_words(name);
+    const auto words = split_words(plain, " ");
+    if (words == std::vector<std::string_view>{"f", "m"}) { // F.M., the fineness modulus
         return Kind::Other;
     }
     std::optional<Kind> found;
-    for (const std::string& word : words) {
+    for (const std::string_view word : words) {
         const auto known = result_named(word);
         if (!known) {
             if (!is_word_of(Topic::ResultFiller, word)) {
@@ -97,7 +86,7 @@ std::optional<DerivedValue> read_name(std::string_view name) {
         found.kind = Kind::Cobbles;
     } else if (const auto size = sieve_in(name)) {
         found.kind = Kind::Passing, found.at = *size;
-    } else if (const auto kind = kind_of(words_of(name))) {
+    } else if (const auto kind = kind_of(name)) {
         found.kind = *kind;
     } else {
         return std::nullopt;

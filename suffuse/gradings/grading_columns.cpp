@@ -370,9 +370,9 @@ private:
 
     /// A heading as written, in one line or two.
     [[nodiscard]] std::string name_of(std::size_t column) const {
-        const std::string& above = text_at(*header_, column);
-        const bool goes_on = second_ != nullptr && !text_at(*second_, column).empty();
-        return goes_on ? fmt::format("{}{}{}", above, above.empty() ? "" : " ", text_at(*second_, column)) : above;
+        std::string name = text_at(*header_, column);
+        append_word(name, second_ != nullptr ? text_at(*second_, column) : "");
+        return name;
     }
 
     const Sheet& sheet_;

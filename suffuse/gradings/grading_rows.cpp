@@ -292,8 +292,7 @@ private:
     SievedSoil& soil_of(const SheetRow& row, const ShareColumn& share) {
         std::string name = share.name;
         for (const std::string& part : key_) {
-            name += name.empty() || part.empty() ? "" : " ";
-            name += part;
+            append_word(name, part);
         }
         const auto [found, is_new] = index_.try_emplace(name, soils_.size());
         if (is_new) {

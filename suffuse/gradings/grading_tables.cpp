@@ -12,12 +12,12 @@ namespace suffuse::gradings {
 
 namespace {
 
-double coarsest(const std::vector<GradingPoint>& points) {
-    return std::ranges::max_element(points, {}, &GradingPoint::diameter)->diameter;
+const GradingPoint& coarsest(const std::vector<GradingPoint>& points) {
+    return *std::ranges::max_element(points, {}, &GradingPoint::diameter);
 }
 
-double finest(const std::vector<GradingPoint>& points) {
-    return std::ranges::min_element(points, {}, &GradingPoint::diameter)->diameter;
+const GradingPoint& finest(const std::vector<GradingPoint>& points) {
+    return *std::ranges::min_element(points, {}, &GradingPoint::diameter);
 }
 
 /// Tables of one sheet, taken one after the other.
@@ -56,7 +56,7 @@ public:
 
 private:
     [[nodiscard]] bool is_taken(const std::string& name) const {
-        return std::ranges::any_of(soils_, [&name](const SoilPoints& soil) { return soil.name == name; });
+        return std::ranges::find(soils_, name, &SoilPoints::name) != soils_.end();
     }
 
     /// The curve that a table without a sample's name, or with the same, goes on with: a hydrometer's, or one whose
@@ -66,8 +66,9 @@ private:
         for (std::size_t k = before; k-- > 0;) {
             SoilPoints& above = soils_[k];
             const bool is_last = k + 1 == before && table.name.empty() && soil.name.empty();
-            const bool goes_on = !soil.points.empty() && !above.points.empty() &&
-                                 (table.is_hydrometer || coarsest(soil.points) <= overlap * finest(above.points));
+            const bool goes_on =
+                !soil.points.empty() && !above.points.empty() &&
+                (table.is_hydrometer || coarsest(soil.points).diameter <= overlap * finest(above.points).diameter);
             if ((is_last || above.name == soil.name) && goes_on) {
                 return &above;
             }
@@ -78,7 +79,7 @@ private:
     /// A hydrometer's shares are often of the part that went into its cylinder: then more passes than above.
     bool check_joint(const SoilPoints& above, const SoilPoints& soil) {
         constexpr double tolerance = 0.02; // as of a size that both have
-        const GradingPoint& last = *std::ranges::min_element(above.points, {}, &GradingPoint::diameter);
+        const GradingPoint& last = finest(above.points);
         for (const GradingPoint& point : soil.points) {
             if (point.diameter < last.diameter && point.passing > last.passing + tolerance) {
                 problems_.error(
@@ -107,10 +108,8 @@ private:
             "a second table begins here and continues the curve above: both are joined into one"
         );
         const auto in_order = [](const std::vector<GradingPoint>& points) {
-            const auto rising = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter < b.diameter; };
-            const auto falling = [](const GradingPoint& a, const GradingPoint& b) { return a.diameter > b.diameter; };
-            return std::is_sorted(points.begin(), points.end(), rising) ||
-                   std::is_sorted(points.begin(), points.end(), falling);
+            return std::ranges::is_sorted(points, {}, &GradingPoint::diameter) ||
+                   std::ranges::is_sorted(points, std::greater{}, &GradingPoint::diameter);
         };
         const bool are_ordered = in_order(above.points) && in_order(soil.points);
         above.points.insert(above.points.end(), soil.points.begin(), soil.points.end());
@@ -148,7 +147,8 @@ SheetReading reading_of(const SievedSoil& soil) {
 
 } // namespace
 
-std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, Problems& problems) {
+std::optional<std::vector<SoilPoints>>
+points_of(std::vector<SievedSoil> soils, const TableNotes& notes, Problems& problems) {
     std::vector<SoilPoints> found;
     bool is_good = true;
     agree_on_meaning(soils);
@@ -156,7 +156,9 @@ std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, 
         auto points = find_passing(soil, problems);
         is_good = is_good && points;
         if (points) {
-            found.push_back({soil.name, std::move(*points), {}, reading_of(soil)});
+            found.push_back(
+                {soil.name, std::move(*points), derived_of(notes, soil.column, soils.size() == 1), reading_of(soil)}
+            );
         }
     }
     return is_good ? std::optional(std::move(found)) : std::nullopt;
@@ -168,24 +170,14 @@ std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tabl
     for (SheetTable& table : tables) {
         remark_on_notes(table.notes, problems);
         auto soils = read_sieve_rows(table.sheet, *table.columns, problems);
-        if (!soils) {
-            is_good = false;
-            continue;
+        if (soils && soils->size() == 1) {
+            soils->front().dry = table.dry;
         }
-        std::vector<std::size_t> columns;
-        for (SievedSoil& soil : *soils) {
-            columns.push_back(soil.column);
-            soil.dry = soils->size() == 1 ? table.dry : std::nullopt;
+        auto points = soils ? points_of(std::move(*soils), table.notes, problems) : std::nullopt;
+        is_good = is_good && points;
+        if (points) {
+            joiner.take(table, std::move(*points));
         }
-        auto points = points_of(std::move(*soils), problems);
-        if (!points) {
-            is_good = false;
-            continue;
-        }
-        for (std::size_t k = 0; k < points->size(); ++k) {
-            (*points)[k].derived = derived_of(table.notes, columns[k], points->size() == 1);
-        }
-        joiner.take(table, std::move(*points));
     }
     auto joined = joiner.finish();
     return is_good ? std::move(joined) : std::nullopt;

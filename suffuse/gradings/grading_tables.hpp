@@ -24,7 +24,8 @@ struct SoilPoints {
 /// Of tables whose columns are known. Empty where something is wrong, all of which is reported.
 std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tables, Problems& problems);
 
-/// The points of soils that came from a file of another kind.
-std::optional<std::vector<SoilPoints>> points_of(std::vector<SievedSoil> soils, Problems& problems);
+/// The points of the soils of one table or file, with what its notes say of them.
+std::optional<std::vector<SoilPoints>>
+points_of(std::vector<SievedSoil> soils, const TableNotes& notes, Problems& problems);
 
 } // namespace suffuse::gradings

@@ -40,30 +40,10 @@ bool take_unit(std::string_view text, Heading& heading) {
     return false;
 }
 
-/// The words of a heading and where each stands in it.
-struct Word {
-    std::string text; ///< plain
-    std::string_view as_written;
-};
-
-std::vector<Word> split_words(std::string_view text) {
-    std::vector<Word> words;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find_first_of(" \t_.,:;/()[]=\"'", begin), text.size());
-        if (end > begin) {
-            const std::string_view written = text.substr(begin, end - begin);
-            const std::string plain = plain_words(written);
-            if (const std::string_view word = trimmed(plain); !word.empty()) {
-                words.push_back({std::string(word), written});
-            } else if (written == "+" || written == "&") {
-                words.push_back({"and", written});
-            } else if (written == "#") {
-                words.push_back({"no", written});
-            }
-        }
-        begin = end + 1;
-    }
-    return words;
+/// A word of a heading, plain; empty where it has no letter and no digit.
+std::string plain_word(std::string_view written) {
+    const std::string plain = plain_words(written);
+    return written == "+" || written == "&" ? "and" : written == "#" ? "no" : std::string(trimmed(plain));
 }
 
 /// Cuts the unit off, from brackets or the end: "Sieve size (mm)", "Opening, mm", "d_mm".
@@ -116,12 +96,12 @@ private:
 /// What has none is the heading's rest.
 Roles read_roles(const std::string& named, Heading& heading) {
     Roles roles;
-    for (const Word& word : split_words(named)) {
-        if (const auto role = role_of(word.text)) {
+    for (const std::string_view written : split_words(named, " \t_.,:;/()[]=\"'")) {
+        const std::string word = plain_word(written);
+        if (const auto role = role_of(word)) {
             roles.add(*role);
-        } else {
-            heading.rest += heading.rest.empty() ? "" : " ";
-            heading.rest += word.as_written;
+        } else if (!word.empty()) {
+            heading.rest += fmt::format("{}{}", heading.rest.empty() ? "" : " ", written);
         }
     }
     return roles;
@@ -131,20 +111,13 @@ Roles read_roles(const std::string& named, Heading& heading) {
 bool take_mass(const Roles& roles, bool weighed, Heading& heading) {
     const bool names_sieve = roles.has(Role::Sieve);
     const bool names_share = roles.has(Role::Passing) || roles.has(Role::Retained) || roles.has(Role::Coarser);
-    if (weighed && !names_share && roles.has(Role::Gross) && !roles.has(Role::Tare)) { // "gross_g"
-        heading.kind = ColumnKind::Gross;
-        return true;
-    }
-    if (weighed && names_sieve && (roles.has(Role::And) || roles.has(Role::Gross)) &&
-        (roles.has(Role::Soil) || roles.has(Role::Sample) || roles.has(Role::Retained))) {
-        heading.kind = ColumnKind::Gross;
-        return true;
-    }
-    if (weighed && !names_share && (roles.has(Role::Tare) || names_sieve)) {
-        heading.kind = ColumnKind::Tare;
-        return true;
-    }
-    return false;
+    const bool is_called_gross = !names_share && roles.has(Role::Gross) && !roles.has(Role::Tare); // "gross_g"
+    const bool holds_both = names_sieve && (roles.has(Role::And) || roles.has(Role::Gross)) &&
+                            (roles.has(Role::Soil) || roles.has(Role::Sample) || roles.has(Role::Retained));
+    const bool is_gross = weighed && (is_called_gross || holds_both);
+    const bool is_tare = weighed && !names_share && (roles.has(Role::Tare) || names_sieve);
+    heading.kind = is_gross ? ColumnKind::Gross : is_tare ? ColumnKind::Tare : heading.kind;
+    return is_gross || is_tare;
 }
 
 bool take_share(const Roles& roles, Heading& heading) {
@@ -223,18 +196,16 @@ Heading read_heading(std::string_view text) {
     if (!take_mass(roles, weighed, heading) && !take_share(roles, heading)) {
         take_other_kind(roles, plain_words(text), heading);
     }
-    const bool has_digit = heading.rest.find_first_of("0123456789") != std::string::npos;         // a name: TP2 (0.5 m)
-    if (heading.kind == ColumnKind::Other && heading.scale != SizeScale::Unknown && !has_digit) { // a unit alone
+    const bool has_digit = heading.rest.find_first_of("0123456789") != std::string::npos; // a name: TP2 (0.5 m)
+    const bool is_open = heading.kind == ColumnKind::Other,
+               is_counted = roles.has(Role::Count) && heading.unit == ShareUnit::Unknown;
+    if (is_open && heading.scale != SizeScale::Unknown && !has_digit) { // a unit alone
         heading.kind = ColumnKind::Size, heading.is_length_alone = true;
-    } else if (heading.kind == ColumnKind::Other && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
+    } else if (is_open && heading.unit == ShareUnit::Percent && heading.rest.empty()) {
         heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Unstated;
-    } else if (heading.kind == ColumnKind::Other && weighed && heading.rest.empty()) {
-        heading.kind = ColumnKind::Share, heading.is_bare_mass = true;
-        heading.meaning = roles.has(Role::Cumulative) ? ShareMeaning::Cumulative : ShareMeaning::Retained;
-    }
-    if (heading.kind == ColumnKind::Other && roles.has(Role::Count) && heading.unit == ShareUnit::Unknown &&
-        heading.rest.empty()) {
-        heading.kind = ColumnKind::Share, heading.unit = ShareUnit::Count;
+    } else if (is_open && (weighed || is_counted) && heading.rest.empty()) {
+        heading.kind = ColumnKind::Share, heading.is_bare_mass = weighed;
+        heading.unit = weighed ? heading.unit : ShareUnit::Count;
         heading.meaning = roles.has(Role::Cumulative) ? ShareMeaning::Cumulative : ShareMeaning::Retained;
     }
     if (heading.kind == ColumnKind::Share && weighed) {

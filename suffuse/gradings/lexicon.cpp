@@ -339,6 +339,18 @@ bool mentions(Topic topic, std::string_view words) {
     });
 }
 
+std::vector<std::string_view> split_words(std::string_view text, std::string_view marks) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(marks, begin), text.size());
+        if (end > begin) {
+            words.push_back(text.substr(begin, end - begin));
+        }
+        begin = end + 1;
+    }
+    return words;
+}
+
 std::span<const SizePrefix> size_prefixes() {
     return prefixes;
 }

@@ -43,7 +43,7 @@ std::string name_of(const SheetRow& header, const SheetRow& row) {
         const bool is_named = read_heading(header.cells[k].text).kind == ColumnKind::Sample;
         const bool is_index = k == 0 && is_blank(header.cells[k].text);
         if ((is_named || is_index) && !is_blank(text_at(row, k))) {
-            name += fmt::format("{}{}", name.empty() ? "" : " ", text_at(row, k));
+            append_word(name, text_at(row, k));
         }
     }
     return name.empty() ? fmt::format("line {}", row.place.line) : name;

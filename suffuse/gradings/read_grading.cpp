@@ -169,7 +169,7 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
 
 std::optional<std::vector<SoilPoints>> read_ags_soils(const std::shared_ptr<const Source>& source, Problems& problems) {
     auto soils = read_ags(source, problems);
-    return soils ? points_of(std::move(*soils), problems) : std::nullopt;
+    return soils ? points_of(std::move(*soils), {}, problems) : std::nullopt;
 }
 
 std::string names_of(const std::vector<NamedGrading>& soils) {

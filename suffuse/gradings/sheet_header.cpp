@@ -150,18 +150,13 @@ std::string value_after(const SheetRow& row, std::size_t column) {
 SizeScale size_unit_in(std::string_view text) {
     SizeScale unit = SizeScale::Unknown;
     bool names_sizes = false, is_after_number = false;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const std::size_t begin = std::min(rest.find_first_not_of(" \t()[],:;/=_\""), rest.size());
-        const std::size_t end = std::min(rest.find_first_of(" \t()[],:;/=_\"", begin), rest.size());
-        const std::string_view word = rest.substr(begin, end - begin);
+    for (const std::string_view word : split_words(text, " \t()[],:;/=_\"")) {
         const auto role = role_of(trimmed(plain_words(word)));
         const SizeScale scale = size_scale_of(word);
         const bool is_unit = scale == SizeScale::Micrometers || scale == SizeScale::Millimeters;
         unit = is_unit && !is_after_number ? scale : unit;
         names_sizes = names_sizes || role == Role::Size || role == Role::Sieve || is_word_of(Topic::Units, word);
         is_after_number = plain_number(word, true).has_value();
-        rest.remove_prefix(end);
     }
     return names_sizes ? unit : SizeScale::Unknown;
 }

@@ -170,6 +170,11 @@ std::vector<const SheetRow*> value_rows(const Sheet& sheet, std::size_t first, s
     return rows;
 }
 
+void append_word(std::string& name, std::string_view part) {
+    name += name.empty() || part.empty() ? "" : " ";
+    name += part;
+}
+
 std::size_t width_of(const std::vector<const SheetRow*>& rows) {
     std::size_t most = 0;
     for (const SheetRow* row : rows) {

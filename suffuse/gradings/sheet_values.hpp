@@ -57,6 +57,9 @@ std::vector<const SheetRow*> value_rows(const Sheet& sheet, std::size_t first, s
 /// Cells of the longest one.
 std::size_t width_of(const std::vector<const SheetRow*>& rows);
 
+/// A part of a name behind what it has, with a blank between them.
+void append_word(std::string& name, std::string_view part);
+
 /// Whether a cell says that nothing was measured: empty, or a dash.
 bool is_blank(std::string_view text);
 

@@ -198,8 +198,7 @@ private:
     std::string name_of(const SheetRow& row, const std::vector<std::size_t>& keys) {
         std::string name;
         for (const std::size_t k : keys) {
-            const std::string& part = text_at(row, k);
-            name += fmt::format("{}{}", name.empty() || part.empty() ? "" : " ", part);
+            append_word(name, text_at(row, k));
         }
         name = name.empty() ? fmt::format("line {}", row.place.line) : name;
         if (!names_.insert(name).second) {
