@@ -69,7 +69,7 @@ private:
         std::string text;
         for (std::size_t k = 0; k < parts; ++k) {
             if (const std::string& part = text_at(row, columns_[k].first); !part.empty()) {
-                text += fmt::format("{}{}{}", text.empty() ? "" : " ", part, columns_[k].second);
+                append_word(text, part + columns_[k].second);
             }
         }
         return text;

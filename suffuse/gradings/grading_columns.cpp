@@ -132,29 +132,15 @@ private:
     bool choose_size() {
         std::vector<int> ranks(headings_.size());
         std::ranges::generate(ranks, [this, k = std::size_t{0}]() mutable { return rank_of_size(k++); });
-        const auto highest = std::ranges::max_element(ranks);
-        const int best_rank = highest == ranks.end() ? 0 : *highest;
-        auto best = static_cast<std::size_t>(highest - ranks.begin());
+        const auto highest = std::ranges::max_element(ranks); // of a header, which has one
+        const auto best = static_cast<std::size_t>(highest - ranks.begin());
+        found_.size = {best, headings_[best].scale};
         for (std::size_t k = best + 1; k < headings_.size(); ++k) {
-            if (best_rank > 0 && ranks[k] == best_rank && !take_bounds(best, k)) {
-                problems_.error(
-                    "E506", header_->cells[k].place,
-                    fmt::format("`{}` and `{}` mean the same", header_->cells[best].text, header_->cells[k].text),
-                    "keep one of the two columns, or rename the other so that it is ignored"
-                );
+            if (ranks[k] == *highest && !take_bounds(best, k)) {
+                complain_about_two(best, k, "keep one of the two columns, or rename the other so that it is ignored");
                 return false;
             }
         }
-        if (best_rank == 0) {
-            problems_.error(
-                "E506", header_->place,
-                "a grading curve needs a column of sizes and one of percent passing, and `d` is missing",
-                expected_header
-            );
-            return false;
-        }
-        best = finer_bound_.value_or(best);
-        found_.size = {best, headings_[best].scale};
         return true;
     }
 
@@ -164,8 +150,7 @@ private:
         if (!finer || headings_[a].scale != headings_[b].scale || found_.upper) {
             return false;
         }
-        finer_bound_ = finer;
-        found_.upper = *finer == a ? b : a;
+        found_.size.index = *finer, found_.upper = *finer == a ? b : a;
         problems_.warning(
             sheet_remark, header_->cells[b].place,
             fmt::format(
@@ -226,7 +211,10 @@ private:
         const auto soils = find_soil_columns(sheet_, headings_, columns, header_row_, found_.first_row);
         for (const SoilColumns& soil : soils) {
             if (soil.columns.size() > 1) {
-                complain_about_two(soil.columns[0], soil.columns[1]);
+                complain_about_two(
+                    soil.columns[0], soil.columns[1],
+                    "keep one of the two columns; if each is a soil, put its name into the heading: `TP1 passing [%]`"
+                );
                 return false;
             }
             const std::size_t k = soil.columns.front();
@@ -237,11 +225,10 @@ private:
         return true;
     }
 
-    void complain_about_two(std::size_t first, std::size_t second) {
+    void complain_about_two(std::size_t first, std::size_t second, const char* advice) {
         problems_.error(
             "E506", header_->cells[second].place,
-            fmt::format("`{}` and `{}` mean the same", header_->cells[first].text, header_->cells[second].text),
-            "keep one of the two columns; if each is a soil, put its name into the heading: `TP1 passing [%]`"
+            fmt::format("`{}` and `{}` mean the same", header_->cells[first].text, header_->cells[second].text), advice
         );
     }
 
@@ -380,7 +367,7 @@ private:
     const SheetRow *header_ = nullptr, *second_ = nullptr; ///< lines of the headings
     std::size_t header_row_ = 0;
     std::vector<Heading> headings_;
-    std::optional<std::size_t> finer_bound_, bound_; ///< columns of sizes of classes
+    std::optional<std::size_t> bound_; ///< the other column of sizes of classes
     GradingColumns found_;
 };
 

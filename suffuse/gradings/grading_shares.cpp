@@ -12,12 +12,16 @@ namespace suffuse::gradings {
 
 namespace {
 
-double sum_of(const SievedSoil& soil) {
-    double sum = soil.pan.value_or(0);
+/// With what was there before, added first: the order decides on the last digit.
+double sum_on_sieves(const SievedSoil& soil, double sum = 0) {
     for (const SieveRow& sieve : soil.sieves) {
         sum += sieve.amount;
     }
     return sum;
+}
+
+double sum_of(const SievedSoil& soil) {
+    return sum_on_sieves(soil, soil.pan.value_or(0));
 }
 
 /// Amounts whose whole is not known but from all of them.
@@ -138,19 +142,18 @@ void check_total(const SievedSoil& soil, double sum, Problems& problems) {
 }
 
 /// The mass of the whole sample by what is written in the table: sieves and pan, or a total.
-std::optional<double> mass_in_table(const SievedSoil& soil, double sum, double last) {
-    if (soil.meaning != ShareMeaning::CumulativeRetained) {
-        return soil.pan ? std::optional(sum + *soil.pan) : soil.total;
-    }
+std::optional<double> mass_in_table(const SievedSoil& soil, double last) {
     if (!soil.pan) {
         return soil.total;
     }
-    return *soil.pan < last ? last + *soil.pan : *soil.pan; // its own mass, or that of all
+    return soil.meaning != ShareMeaning::CumulativeRetained ? sum_on_sieves(soil) + *soil.pan
+           : *soil.pan < last                               ? last + *soil.pan
+                                                            : *soil.pan; // its own mass, or that of all
 }
 
 /// The mass that the shares are of: the stated dry mass where the pan is not given, or where the finest grains were
 /// washed away before the sieving. Empty where it could be two things, which is reported.
-std::optional<double> whole_mass(const SievedSoil& soil, double sum, double last, Problems& problems) {
+std::optional<double> whole_mass(const SievedSoil& soil, double last, Problems& problems) {
     constexpr double lost = 0.01; // as above
     constexpr double split = 1.9; // halves and quarters of a sample are sieved, too
     if (soil.meaning == ShareMeaning::CumulativeRetained && soil.pan.value_or(last) < last) {
@@ -158,11 +161,11 @@ std::optional<double> whole_mass(const SievedSoil& soil, double sum, double last
             sheet_remark, soil.end, "the pan holds less than all sieves: its mass is read as its own, not cumulative"
         );
     }
-    const auto held = mass_in_table(soil, sum, last);
+    const auto held = mass_in_table(soil, last);
     if (!soil.dry || (held && std::abs(*soil.dry - *held) <= lost * *held)) {
         return held.value_or(0);
     }
-    const double least = held.value_or(soil.meaning == ShareMeaning::CumulativeRetained ? last : sum);
+    const double least = held.value_or(soil.meaning == ShareMeaning::CumulativeRetained ? last : sum_on_sieves(soil));
     if (*soil.dry < least) {
         problems.warning(
             sheet_remark, soil.end,
@@ -205,13 +208,10 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
         );
         return false;
     }
-    bool is_good = soil.pan.value_or(0) >= 0;
-    double sum = 0, most = 0;
-    for (const SieveRow& sieve : soil.sieves) {
-        sum += sieve.amount, most = std::max(most, sieve.amount);
-        is_good = is_good && sieve.amount >= 0;
-    }
-    const auto total = is_good ? whole_mass(soil, sum, most, problems) : 0;
+    const bool is_good = soil.pan.value_or(0) >= 0 &&
+                         std::ranges::all_of(soil.sieves, [](const SieveRow& sieve) { return sieve.amount >= 0; });
+    const double most = soil.sieves.empty() ? 0 : std::ranges::max(soil.sieves, {}, &SieveRow::amount).amount;
+    const auto total = is_good ? whole_mass(soil, most, problems) : 0;
     if (!total) {
         return false;
     }
@@ -222,7 +222,7 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
         return false;
     }
     if (soil.pan && soil.meaning != ShareMeaning::CumulativeRetained) {
-        check_total(soil, sum + *soil.pan, problems);
+        check_total(soil, sum_on_sieves(soil) + *soil.pan, problems);
     }
     for (SieveRow& sieve : soil.sieves) {
         sieve.amount /= *total;

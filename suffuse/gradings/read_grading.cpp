@@ -167,11 +167,6 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
     return read_tables(reading.tables, problems);
 }
 
-std::optional<std::vector<SoilPoints>> read_ags_soils(const std::shared_ptr<const Source>& source, Problems& problems) {
-    auto soils = read_ags(source, problems);
-    return soils ? points_of(std::move(*soils), {}, problems) : std::nullopt;
-}
-
 std::string names_of(const std::vector<NamedGrading>& soils) {
     constexpr std::size_t most = 12;
     std::vector<std::string> names;
@@ -203,7 +198,10 @@ std::vector<NamedGrading> parse_text(
     Problems& problems
 ) {
     const bool is_ags = options.is_empty() && looks_like_ags(text->text);
-    auto soils = is_ags ? read_ags_soils(text, problems) : read_sheet(text, options, problems);
+    auto sieved = is_ags ? read_ags(text, problems) : std::nullopt;
+    auto soils = sieved   ? points_of(std::move(*sieved), {}, problems)
+                 : is_ags ? std::nullopt
+                          : read_sheet(text, options, problems);
     std::vector<NamedGrading> gradings;
     bool is_good = soils.has_value();
     for (SoilPoints& soil : soils ? *soils : std::vector<SoilPoints>{}) {

@@ -119,14 +119,10 @@ bool is_rule(std::string_view line) {
     return has_run && line.find_first_not_of("-=_+|: \t") == std::string_view::npos;
 }
 
-/// Begins with a number, and whether that is all of it.
-bool begins_with_number(std::string_view text) {
-    return !text.empty() &&
-           (is_digit(text[0]) || (text.size() > 1 && (text[0] == '.' || text[0] == '-') && is_digit(text[1])));
-}
-
 bool is_plain_number(std::string_view text) {
-    return begins_with_number(text) && text.find_first_not_of("0123456789.,-+eE") == std::string_view::npos;
+    const std::size_t first = text.find_first_of("0123456789");
+    return first <= 1 && (first == 0 || text[0] == '.' || text[0] == '-') &&
+           text.find_first_not_of("0123456789.,-+eE") == std::string_view::npos;
 }
 
 /// Whether a cell that a blank keeps from the one before belongs to it: "No. 4", "75 um", "passing [%]", "% passing".

@@ -357,10 +357,16 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
 
 void remark_on_notes(const TableNotes& notes, Problems& problems) {
     constexpr std::size_t most = 8;
-    std::vector<std::string> names;
+    std::vector<std::string> names, results;
     for (const SheetRow& row : notes.others) {
         if (names.size() < most && !is_blank(first_text(row))) {
             names.push_back(fmt::format("`{}`", first_text(row)));
+        }
+    }
+    for (const DerivedValue& value : notes.derived) {
+        results.push_back(fmt::format("`{}`", value.name));
+        if (std::ranges::count(results, results.back()) > 1) {
+            results.pop_back();
         }
     }
     if (!names.empty()) {
@@ -374,16 +380,10 @@ void remark_on_notes(const TableNotes& notes, Problems& problems) {
             "begin notes with # to keep this quiet"
         );
     }
-    names.clear();
-    for (const DerivedValue& value : notes.derived) {
-        if (std::ranges::find(names, fmt::format("`{}`", value.name)) == names.end()) {
-            names.push_back(fmt::format("`{}`", value.name));
-        }
-    }
-    if (!names.empty()) {
+    if (!results.empty()) {
         problems.warning(
             sheet_remark, notes.derived.front().place,
-            fmt::format("skipped as results because they are not sieves: {}", fmt::join(names, ", "))
+            fmt::format("skipped as results because they are not sieves: {}", fmt::join(results, ", "))
         );
     }
 }

@@ -179,9 +179,9 @@ private:
                 }
             }
         }
-        Heading unknown;
-        unknown.kind = ColumnKind::Share, unknown.meaning = ShareMeaning::Unstated;
-        return unknown;
+        heading = {};
+        heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Unstated;
+        return heading;
     }
 
     /// Columns of names, boreholes and depths; else the first that is no sieve's.
@@ -306,9 +306,9 @@ private:
 
     /// "D10", "Gravel %" next to the sieves: of the sample of the row; below all samples: of the only one.
     void add_derived(const std::vector<const SheetRow*>& rows, SheetTable& table) {
-        for (DerivedValue& value : derived_) {
+        table.notes.derived = std::move(derived_);
+        for (DerivedValue& value : table.notes.derived) {
             value.column = std::string::npos;
-            table.notes.derived.push_back(std::move(value));
         }
         for (std::size_t k = 0; k < rows.size(); ++k) {
             for (DerivedValue value : read_derived_below(sheet_, sheet_.rows[across_.row], *rows[k])) {
