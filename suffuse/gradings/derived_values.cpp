@@ -276,11 +276,8 @@ std::optional<DerivedValue> read_derived_name(std::string_view text) {
     if (auto whole = read_name(trimmed(text))) { // D 10, % passing No. 200
         return whole;
     }
-    std::string_view name = text.substr(0, value_begin(text));
-    while (name.ends_with('=') || name.ends_with(':') || name.ends_with(' ')) {
-        name.remove_suffix(1);
-    }
-    return read_name(trimmed(name));
+    const std::string_view name = text.substr(0, value_begin(text));
+    return read_name(trimmed(name.substr(0, name.find_last_not_of("=: ") + 1)));
 }
 
 std::vector<DerivedValue> read_derived(const Sheet& sheet, const SheetRow& row) {

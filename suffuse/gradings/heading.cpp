@@ -20,10 +20,7 @@ constexpr std::string_view latin = "aaaaaaaceeeeiiiidnooooo ouuuuypsaaaaaaaceeee
 
 /// What a bracket or the end of a heading says of the unit. @return whether it is one.
 bool take_unit(std::string_view text, Heading& heading) {
-    std::string plain(trimmed(text));
-    std::transform(plain.begin(), plain.end(), plain.begin(), [](unsigned char c) {
-        return static_cast<char>(std::tolower(c));
-    });
+    const std::string plain = in_small_letters(trimmed(text));
     const ShareUnit unit = plain.find('%') != std::string::npos ? ShareUnit::Percent : share_unit_named(plain);
     if (unit != ShareUnit::Unknown) {
         heading.unit = unit;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 namespace suffuse::gradings {
 
@@ -337,6 +338,14 @@ bool mentions(Topic topic, std::string_view words) {
     return std::ranges::any_of(topics, [&](const Words<Topic>& known) {
         return known.meaning == topic && any_word(known.words, begins_one);
     });
+}
+
+std::string in_small_letters(std::string_view text) {
+    std::string small;
+    for (const char c : text) {
+        small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return small;
 }
 
 std::vector<std::string_view> split_words(std::string_view text, std::string_view marks) {

@@ -74,6 +74,9 @@ bool is_word_of(Topic topic, std::string_view word);
 /// Whether one of these, with blanks around each, begins as a word of the topic.
 bool mentions(Topic topic, std::string_view words);
 
+/// Letters beyond ASCII stay as they are.
+std::string in_small_letters(std::string_view text);
+
 /// What stands between marks, without what is empty.
 std::vector<std::string_view> split_words(std::string_view text, std::string_view marks);
 

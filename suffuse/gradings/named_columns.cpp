@@ -88,10 +88,6 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] bool is_in_lines(const SheetRow& row) const {
-        return !row.is_comment && row.place.line >= lines_.first && row.place.line <= lines_.second;
-    }
-
     [[nodiscard]] bool has_share(const SheetRow& row) const {
         return std::ranges::any_of(shares_, [&](std::size_t k) { return number_at(sheet_, row, k).has_value(); });
     }
@@ -103,13 +99,12 @@ private:
 
     /// Where the values begin: a size with a share.
     [[nodiscard]] std::size_t find_first_value(std::size_t from) const {
-        std::size_t k = from;
-        while (k < sheet_.rows.size() && !(is_in_lines(sheet_.rows[k]) &&
-                                           is_size(sheet_, sheet_.rows[k], size_column_) && has_share(sheet_.rows[k]))
-        ) {
-            ++k;
-        }
-        return k;
+        const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(from);
+        const auto first = std::find_if(begin, sheet_.rows.end(), [this](const SheetRow& row) {
+            return !row.is_comment && row.place.line >= lines_.first && row.place.line <= lines_.second &&
+                   is_size(sheet_, row, size_column_) && has_share(row);
+        });
+        return static_cast<std::size_t>(first - sheet_.rows.begin());
     }
 
     /// Headings of the row that names a column, else of the last row without a number above the values.

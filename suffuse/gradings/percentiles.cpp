@@ -25,11 +25,10 @@ std::vector<PercentileColumn> find_columns(const SheetRow& row) {
     std::vector<PercentileColumn> columns;
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
         const auto derived = read_derived_name(row.cells[k].text);
-        const bool is_size = derived && !derived->value && derived->kind == DerivedValue::Kind::SizeAt;
-        const bool is_largest = derived && !derived->value && derived->kind == DerivedValue::Kind::Largest;
+        const bool is_size = derived && derived->kind == DerivedValue::Kind::SizeAt;
+        const bool is_largest = derived && derived->kind == DerivedValue::Kind::Largest;
         const double share = is_largest ? 1 : is_size ? derived->at : 0;
-        const bool is_new = std::ranges::find(columns, share, &PercentileColumn::share) == columns.end();
-        if ((is_size || is_largest) && is_new) {
+        if (share > 0 && std::ranges::find(columns, share, &PercentileColumn::share) == columns.end()) {
             columns.push_back({k, share, read_heading(row.cells[k].text).scale});
         }
     }
@@ -60,9 +59,9 @@ SheetTable table_of(
         if (is_blank(text_at(row, column.index))) {
             continue;
         }
-        SheetRow line{{row.cells[column.index]}, row.place, false};
-        line.cells.push_back({fmt::format("{:.6g}", 100 * column.share), line.cells.front().place, true});
-        table.sheet.rows.push_back(std::move(line));
+        const SheetCell& size = row.cells[column.index];
+        const SheetCell share{fmt::format("{:.6g}", 100 * column.share), size.place, true};
+        table.sheet.rows.push_back({{size, share}, row.place, false});
     }
     GradingColumns found;
     found.first_row = 1;
@@ -85,13 +84,12 @@ std::vector<SheetTable> read_percentiles(const Sheet& sheet, Problems& problems)
         if (header.is_comment || columns.size() < least_points || !have_one_scale) {
             continue;
         }
-        for (std::size_t r = k + 1; r < sheet.rows.size(); ++r) {
-            const SheetRow& row = sheet.rows[r];
+        for (const SheetRow* row : value_rows(sheet, k + 1)) {
             const auto count = std::ranges::count_if(columns, [&](const PercentileColumn& column) {
-                return number_at(sheet, row, column.index).has_value();
+                return number_at(sheet, *row, column.index).has_value();
             });
-            if (!row.is_comment && count >= static_cast<std::ptrdiff_t>(least_points)) {
-                tables.push_back(table_of(sheet, header, row, columns));
+            if (count >= static_cast<std::ptrdiff_t>(least_points)) {
+                tables.push_back(table_of(sheet, header, *row, columns));
             }
         }
         if (!tables.empty()) {

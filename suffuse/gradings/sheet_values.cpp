@@ -74,14 +74,6 @@ std::optional<SizeText> split_class(std::string_view text) {
     return std::nullopt;
 }
 
-std::string in_small_letters(std::string_view text) {
-    std::string small;
-    for (const char c : text) {
-        small += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    return small;
-}
-
 } // namespace
 
 RowWord read_row_word(std::string_view text) {

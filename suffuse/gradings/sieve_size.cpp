@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 namespace suffuse::gradings {
@@ -64,10 +63,7 @@ std::string in_plain_signs(std::string_view text) {
          {"\u215d", " 5/8"},     {"\u215b", " 1/8"}, {"\u215e", " 7/8"}, {"\u2044", "/"},        {"\u00b5", "u"},
          {"\u03bc", "u"},        {"\u2116", "no"},   {"n\u00b0", "no"},  {"n\u00ba", "no"},      {"\u2013", "-"},
          {"\u2212", "-"},        {"\u00a0", " "},    {"\u202f", " "},    {"\u2212", "-"}}};
-    std::string plain;
-    for (const char c : text) {
-        plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    std::string plain = in_small_letters(text);
     for (const auto& [from, to] : signs) {
         replace_all(plain, from, to);
     }
