@@ -21,6 +21,7 @@ class Suffuse(CMakePackage):
     depends_on("cgal@5.5:+header_only", type="build")
     depends_on("cli11@2.1:", type="build")
     depends_on("cpp-httplib@0.11:")
+    depends_on("eigen@3.4:", type="build")
     depends_on("tomlplusplus@3.3:")
     depends_on("nlohmann-json@3.11:")
     depends_on("fmt@9:")
