@@ -56,6 +56,50 @@ Screen standard_error(const Console& console) {
             }};
 }
 
+/// Those who show a run while it is under way: the terminal, progress.json and the live page.
+class Watchers {
+public:
+    Watchers(const Job& job, const Console& console, bool has_page)
+        : view_(
+              standard_error(console), job.plan,
+              "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
+          ),
+          published_(job.sample.empty() ? job.folder : job.folder / "studies" / job.sample, job.plan) {
+        if (has_page) {
+            live_.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
+        }
+    }
+
+    /// They see what the run with these options reports, as long as they live.
+    void attach(run::RunOptions& options) {
+        if (gate_.is_set()) {
+            options.progress_interval = 0;
+        }
+        options.on_progress = [this](const run::Progress& progress) {
+            if (stop_flag() && !std::exchange(has_reported_stop_, true)) {
+                view_.begin_anew();
+            } // the signal's message stands below
+            view_.show(progress);
+            published_.show(progress);
+            if (live_) {
+                live_->show(progress);
+            }
+            gate_.pass(progress);
+        };
+    }
+
+    void clear() { view_.clear(); }
+
+    [[nodiscard]] std::optional<LiveReport>& live() { return live_; }
+
+private:
+    ProgressView view_;
+    ProgressFile published_;
+    std::optional<LiveReport> live_;
+    TestGate gate_;
+    bool has_reported_stop_ = false;
+};
+
 /// The run, and the last live page where no report takes its place.
 job::RunReport run_to_its_end(const Job& job, const run::RunOptions& options, std::optional<LiveReport>& live) {
     const auto close = [&](const std::string& ending) {
@@ -133,37 +177,15 @@ std::optional<int> look_before(const Job& job, const Console& console) {
 
 int conduct(const Job& job, const Console& console) {
     run::RunOptions options = options_of(job);
-    ProgressView view(
-        standard_error(console), job.plan, "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
-    );
-    ProgressFile published(job.sample.empty() ? job.folder : job.folder / "studies" / job.sample, job.plan);
-    std::optional<LiveReport> live;
-    if (job.sample.empty()) {
-        live.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
-    }
-    TestGate gate;
-    if (gate.is_set()) {
-        options.progress_interval = 0;
-    }
-    bool has_reported_stop = false;
-    options.on_progress = [&](const run::Progress& progress) {
-        if (stop_flag() && !std::exchange(has_reported_stop, true)) {
-            view.begin_anew();
-        } // the signal's message stands below
-        view.show(progress);
-        published.show(progress);
-        if (live) {
-            live->show(progress);
-        }
-        gate.pass(progress);
-    };
+    Watchers watchers(job, console, job.sample.empty());
+    watchers.attach(options);
     if (job.sample.empty()) { // a sample that runs at the same time as others knows the price of its own stages only
         plan::keep_plan(job.folder, job.plan);
     }
     bound_memory(job.memory + stack_of_threads * static_cast<double>(thread_count()));
     const Stopwatch watch;
-    const job::RunReport report = run_to_its_end(job, options, live);
-    view.clear();
+    const job::RunReport report = run_to_its_end(job, options, watchers.live());
+    watchers.clear();
     for (const std::string& remark : report.remarks) {
         console.talk("warning: " + remark);
     }
@@ -176,6 +198,18 @@ int conduct(const Job& job, const Console& console) {
         plan::remember_prices(job.cache, job.folder);
     }
     return code;
+}
+
+bool conduct_samples(const Job& job, const Console& console) {
+    run::RunOptions options = options_of(job);
+    Watchers watchers(job, console, false);
+    watchers.attach(options);
+    plan::keep_plan(job.folder, job.plan);
+    bound_memory(job.memory + stack_of_threads * static_cast<double>(thread_count()));
+    const bool has_ended = job::run_without_report(job.what, options);
+    watchers.clear();
+    plan::remember_prices(job.cache, job.folder);
+    return has_ended;
 }
 
 void print_plan(const Job& job, const std::string& preposition, const Console& console) {

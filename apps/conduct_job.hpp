@@ -41,4 +41,7 @@ void print_plan(const Job& job, const std::string& preposition, const Console& c
 /// Runs it. @return the exit code
 int conduct(const Job& job, const Console& console);
 
+/// Runs its samples, without a report. @return false where it was stopped, or its time is over
+bool conduct_samples(const Job& job, const Console& console);
+
 } // namespace suffuse::apps

@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/conduct_calibration.hpp"
 #include "apps/conduct_job.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/stop_signal.hpp"
@@ -80,6 +81,23 @@ std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path&
     return folder / "studies" / name;
 }
 
+int resume_calibration(const ResumeVerb& verb, const std::string& command, const Console& console) {
+    const job::RunRequest request = job::read_request(verb.folder);
+    verb.threads.apply();
+    const job::FolderLock lock(verb.folder, console.warner());
+    return conduct_calibration(
+        {.case_file = request.case_file,
+         .overrides = request.overrides,
+         .folder = verb.folder,
+         .cache = cache_to_go_on(verb.cache, verb.folder, verb.is_trusted, console),
+         .cache_owners = verb.cache.owners(),
+         .time_limit = verb.limits.seconds(),
+         .memory = verb.memory.bytes(),
+         .command = command},
+        console
+    );
+}
+
 int ResumeVerb::act(const CommandLine& line, const Console& console) const {
     Job job{
         .until = limits.until,
@@ -93,6 +111,9 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         job.folder, io::Purpose::Work
     ); // before any of it is read; what it remarks on comes with the lock
     const fs::path resolved = job.folder / record::resolved_case_file;
+    if (is_calibration(job.folder)) {
+        return resume_calibration(*this, line.typed, console);
+    }
     job.cache = cache_to_go_on(cache, job.folder, is_trusted, console);
     job.cache_owners = cache.owners();
     record::StageCache(job.cache).require_one();

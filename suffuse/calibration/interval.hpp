@@ -7,8 +7,9 @@
 
 namespace suffuse::calibration {
 
-/// Of the width of the prior's 90 % interval: a wider one of the posterior has learned too little from the data.
-inline constexpr double identified_below = 0.6;
+/// Of the width of the prior's 90 % interval: a wider one has learned little from the data. A ridge between two
+/// unknowns that replace each other still halves the intervals of both.
+inline constexpr double identified_below = 0.4;
 
 enum class Bound { None, Low, High };
 

@@ -1,5 +1,6 @@
 #include "suffuse/casefile/bind.hpp"
 
+#include "suffuse/casefile/calibrate_fields.hpp"
 #include "suffuse/casefile/check_name.hpp"
 #include "suffuse/casefile/fields.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
@@ -82,8 +83,9 @@ void check_preset(ReadContext& context, const Node::Entry& entry) {
 void read_top(ReadContext& context, const Node& root, Case& c) {
     Node values = root;
     std::erase_if(values.entries, [](const Node::Entry& entry) {
-        constexpr std::array<std::string_view, 10> tables = {"grain", "contact", "balance", "fluid",  "gravity",
-                                                             "soil",  "study",   "output",  "report", "presets"};
+        constexpr std::array<std::string_view, 11> tables = {"grain",   "contact", "balance",  "fluid",
+                                                             "gravity", "soil",    "study",    "output",
+                                                             "report",  "presets", "calibrate"};
         return std::find(tables.begin(), tables.end(), entry.key) != tables.end();
     });
     Reader v(context, values, root.place, {""}, "");
@@ -150,10 +152,15 @@ Case bind_case(const Node& root, const std::string& folder, const std::string& p
     for_each_member(context, root, "study", [&](const Node::Entry& entry) {
         c.studies.push_back(read_study(context, around, entry));
     });
+    const Node::Entry* calibrate = root.find("calibrate");
+    if (calibrate != nullptr) {
+        read_calibrate(context, *calibrate);
+    }
     if (root.find("study") == nullptr) {
         problems.error(
             "E201", root.place, "the case has no study",
-            "add a [study.NAME] with its stages; suffuse new DIR writes an example"
+            calibrate != nullptr ? "suffuse calibrate CASE runs the samples of [calibrate]"
+                                 : "add a [study.NAME] with its stages; suffuse new DIR writes an example"
         );
     }
     return c;

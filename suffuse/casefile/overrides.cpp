@@ -273,6 +273,9 @@ void check_preset_override(const std::string& text, const std::string& in_force,
 }
 
 bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value) {
+    if (key == "seed") { // list_variants has taken it
+        return value.kind == Node::Kind::Integer && value.integer >= 0;
+    }
     if (key == "particles" || key == "soil") {
         target.study.set(key, value, value.place);
         return true;

@@ -1,6 +1,7 @@
 #include "suffuse/casefile/schema.hpp"
 
 #include "suffuse/casefile/bind.hpp"
+#include "suffuse/casefile/calibrate_fields.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/stage_list.hpp"
 #include "suffuse/casefile/study_fields.hpp"
@@ -20,7 +21,7 @@ std::vector<Key> make_rows() {
     std::vector<Key> rows;
     for (auto part :
          {detail::general_rows, detail::soil_and_study_rows, detail::preparation_rows, detail::erosion_rows,
-          detail::output_rows}) {
+          detail::calibrate_rows, detail::output_rows}) {
         std::vector<Key> more = part();
         rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }
@@ -76,6 +77,8 @@ std::vector<Key> make_schema() {
     for (const Stage& stage : study.stages) {
         collect_defaults(rows, write_stage(stage), {"stage." + verb_of(stage.spec), "stage"});
     }
+    collect_defaults(rows, calibrate_defaults(), {"calibrate"});
+    collect_defaults(rows, calibrate_target_defaults(), {"calibrate.targets"});
     for (Key& row : rows) {
         const bool is_derived = row.kind == ValueKind::Other && row.name == "stage";
         if (is_derived || row.name == "applied_preset") {
@@ -123,6 +126,9 @@ std::string table_title(std::string_view table) {
     }
     if (table == "presets.*") {
         return "a preset";
+    }
+    if (table == "calibrate.targets") {
+        return "a target of [calibrate]";
     }
     if (!table.starts_with("stage.")) {
         return fmt::format("[{}]", table);

@@ -76,6 +76,7 @@ std::vector<Key> soil_and_study_rows();
 std::vector<Key> preparation_rows();
 std::vector<Key> erosion_rows();
 std::vector<Key> output_rows();
+std::vector<Key> calibrate_rows();
 } // namespace detail
 
 } // namespace suffuse::casefile

@@ -259,7 +259,7 @@ std::vector<Key> soil_and_study_rows() {
         ),
         other(
             "study.*", "sweep", "{ KEY = [values] }",
-            "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, a key of the soil, "
+            "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, `seed`, a key of the soil, "
             "\"stage.NAME.KEY\", or \"contact.KEY\", which then applies to all stages of the copy."
         ),
         table(

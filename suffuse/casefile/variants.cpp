@@ -79,6 +79,9 @@ std::vector<Variant> list_variants(const Study& study, std::uint64_t seed) {
     }
     std::vector<Variant> all;
     for (const Variant& variant : list) {
+        const auto swept = variant.values.find("seed");
+        const auto* own = swept == variant.values.end() ? nullptr : std::get_if<std::int64_t>(&swept->second);
+        const std::uint64_t base = own == nullptr ? seed : static_cast<std::uint64_t>(*own);
         for (int replicate = 1; replicate <= study.replicates; ++replicate) {
             all.push_back(variant);
             all.back().replicate = replicate;
@@ -86,9 +89,9 @@ std::vector<Variant> list_variants(const Study& study, std::uint64_t seed) {
                 all.back().folder += fmt::format("/rep={}", replicate);
             }
             StateHash mixed;
-            mixed.add(seed);
+            mixed.add(base);
             mixed.add(replicate);
-            all.back().seed = replicate == 1 ? seed : mixed.value();
+            all.back().seed = replicate == 1 ? base : mixed.value();
         }
     }
     return all;

@@ -19,7 +19,8 @@ std::string folder_of(const std::string& key, const Scalar& value);
 std::size_t count_variants(const Study& study);
 
 /// Folder, values, replicate and seed of each copy; its soil and stages are still to be read. The first replicate has
-/// the seed of the case, whatever the sweep value, so that values are compared on the same random numbers.
+/// the seed of the case, whatever the sweep value, so that values are compared on the same random numbers; unless the
+/// sweep is over `seed`.
 std::vector<Variant> list_variants(const Study& study, std::uint64_t seed);
 
 /// The stages that run for these values, with the rows of their parents; a stage whose parent does not run starts from

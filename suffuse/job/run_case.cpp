@@ -159,6 +159,17 @@ RunReport run_case(const casefile::Case& what, const run::RunOptions& options) {
     return options.sample.empty() ? run_all(what, options, overview) : run_one(what, options, overview);
 }
 
+bool run_without_report(const casefile::Case& what, const run::RunOptions& options) {
+    record::StageCache(options.cache).require_one();
+    record::open_folder(options.folder, what, options.case_text);
+    run::Overview overview(options);
+    overview.log({{"event", "run begins"}, {"command", options.command}});
+    const bool has_ended = run::run_samples(what, options, overview);
+    record::keep_provenance(options.folder, what, options.command, overview.run_seconds());
+    report_end("run ends", has_ended ? record::Outcome::Done : record::Outcome::Stopped, overview);
+    return has_ended;
+}
+
 RunReport rebuild_report(
     const std::filesystem::path& folder, const std::filesystem::path& page_folder, const std::string& command
 ) {

@@ -30,6 +30,10 @@ struct RunReport {
 /// @throws CaseError where the folder holds another case, IoError where it cannot be written, or a file is damaged.
 RunReport run_case(const casefile::Case& what, const run::RunOptions& options);
 
+/// The samples of a case without a report, for a caller that reads them itself. Samples that fail are kept as failed.
+/// @return false where it was stopped, or its time is over
+bool run_without_report(const casefile::Case& what, const run::RunOptions& options);
+
 /// Writes summary.json, figures and report.html from what the run folder holds, without computing. Where samples were
 /// run one by one, this gathers them. The caller has seen that the folder is whole (finished_stages.hpp).
 /// @param command that requests it, for the provenance of a run that has none yet

@@ -1,0 +1,88 @@
+// A calibration as a user runs it, with samples of few grains: stopped, continued, and only priced.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/support/program.hpp"
+#include <cmath>
+
+namespace suffuse {
+namespace {
+
+using test::Cli;
+using test::ProgramResult;
+
+const std::string few_grains = R"(schema = 1
+title = "few grains"
+seed = 2
+[grain]
+density = "2650 kg/m^3"
+[contact]
+shear_ratio = 0.42
+rolling_stiffness = 7.5
+rolling_friction = 0.2
+[soil.sand]
+psd = { d = ["0.13 mm", "0.14 mm", "0.15 mm"], passing = ["0 %", "50 %", "100 %"] }
+[calibrate]
+soil = "sand"
+particles = 120
+samples = 12
+targets = [{ name = "t", file = "t.csv", pressure = "100 kPa", strain = 0.01, contraction = "positive", void_ratio_tolerance = 0.03 }]
+unknowns = { "contact.modulus" = ["100 MPa", "1 GPa", "log"], "contact.friction" = ["20 deg", "40 deg"], void_ratio = [0.6, 0.75] }
+)";
+
+class CalibrateVerb : public Cli {
+protected:
+    CalibrateVerb() {
+        test::write_to(folder / "case.toml", few_grains);
+        std::string text = "axial strain [%],q [kPa],volumetric strain [%]\n";
+        for (int k = 0; k <= 20; ++k) {
+            text += fmt::format("{},{},{}\n", 0.1 * k, 200 * (1 - std::exp(-0.4 * k)), 0.01 * k);
+        }
+        test::write_to(folder / "t.csv", text);
+    }
+};
+
+TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
+    const ProgramResult whole = run_suffuse({"calibrate", "case.toml", "-o", "whole", "--no-cache", "--json"});
+    ASSERT_EQ(whole.code, 0) << whole.error;
+    const nlohmann::json answer = whole.json();
+    EXPECT_TRUE(answer.at("complete"));
+    EXPECT_EQ(answer.at("rounds").at(0).at("designs"), 8);
+    for (const auto& [key, parameter] : answer.at("parameters").items()) {
+        EXPECT_LE(parameter.at("low"), parameter.at("high")) << key;
+        EXPECT_GE(parameter.at("low"), parameter.at("range").at(0)) << key;
+        EXPECT_LE(parameter.at("high"), parameter.at("range").at(1)) << key;
+    }
+    const ProgramResult none =
+        run_suffuse({"calibrate", "case.toml", "-o", "part", "--no-cache", "--time-limit", "1ms"});
+    EXPECT_EQ(none.code, 75) << none.error;
+    EXPECT_NE(none.error.find("suffuse resume part continues"), std::string::npos) << none.error;
+    EXPECT_FALSE(std::filesystem::exists(folder / "part/calibration.json"));
+    const ProgramResult rest = run_suffuse({"resume", "part", "--no-cache", "--json"});
+    ASSERT_EQ(rest.code, 0) << rest.error;
+    EXPECT_EQ(rest.json(), answer);
+    EXPECT_EQ(test::read_all(folder / "part/posterior.csv"), test::read_all(folder / "whole/posterior.csv"));
+}
+
+TEST_F(CalibrateVerb, ShowsItsPriceAndRunsNothing) {
+    const ProgramResult plan = run_suffuse({"calibrate", "case.toml", "--plan", "--json"});
+    ASSERT_EQ(plan.code, 0) << plan.error;
+    EXPECT_EQ(plan.json().at("samples"), 12);
+    EXPECT_EQ(plan.json().at("first_round").at("studies"), 8);
+    EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
+}
+
+TEST_F(CalibrateVerb, RefusesWhatItCannotUseBeforeAnythingIsMade) {
+    test::write_to(folder / "t.csv", "axial strain [%],volumetric strain [%]\n0,0\n1,0.1\n");
+    const ProgramResult lacks = run_suffuse({"calibrate", "case.toml", "-o", "r"});
+    EXPECT_EQ(lacks.code, 3) << lacks.error;
+    EXPECT_NE(lacks.error.find("t.csv:1:1: a triaxial test has a column"), std::string::npos) << lacks.error;
+    EXPECT_FALSE(std::filesystem::exists(folder / "r"));
+    const ProgramResult run_of_it = run_suffuse({"run", "case.toml"});
+    EXPECT_EQ(run_of_it.code, 3);
+    EXPECT_NE(run_of_it.error.find("suffuse calibrate CASE"), std::string::npos) << run_of_it.error;
+}
+
+} // namespace
+} // namespace suffuse

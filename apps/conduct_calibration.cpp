@@ -1,0 +1,209 @@
+#include "apps/conduct_calibration.hpp"
+
+#include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/read_text.hpp"
+#include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
+#include "suffuse/base/stopwatch.hpp"
+#include "suffuse/casefile/bind.hpp"
+#include "suffuse/io/atomic_file.hpp"
+#include "suffuse/io/folders.hpp"
+#include "suffuse/job/calibrate.hpp"
+#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/run_folder.hpp"
+#include "suffuse/plan/plan.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/record/missing_stages.hpp"
+#include "suffuse/record/samples.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/conduct_job.hpp"
+#include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include "apps/stop_signal.hpp"
+#include <algorithm>
+#include <set>
+
+namespace suffuse::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+Job job_of(const CalibrationJob& calibration, const casefile::Case& samples, const fs::path& folder) {
+    Job job{.memory = calibration.memory, .command = calibration.command, .what = samples, .folder = folder};
+    job.case_text = casefile::resolved_toml(samples);
+    job.cache = calibration.cache;
+    job.cache_owners = calibration.cache_owners;
+    return job;
+}
+
+/// The case as it was when the calibration began. @throws UsageError where it has changed since
+void keep_case(const CalibrationJob& calibration) {
+    const fs::path kept = calibration.folder / calibration_case_file;
+    const std::string text = read_whole_file(calibration.case_file);
+    if (!fs::exists(kept)) {
+        io::write_file(kept, text);
+    } else if (read_whole_file(kept) != text) {
+        throw UsageError(fmt::format(
+            "{} has changed since {} began; give -o another folder", shown(calibration.case_file),
+            shown(calibration.folder.string())
+        ));
+    }
+}
+
+/// Whether nothing is left to compute: samples that have failed would fail again.
+bool is_done(const job::CalibrationRound& round) {
+    if (!fs::exists(round.folder / record::resolved_case_file)) {
+        return false;
+    }
+    std::set<std::string> failed;
+    for (const record::FailedSample& failure : record::read_failures(round.folder, round.samples)) {
+        failed.insert(failure.sample);
+    }
+    return std::ranges::all_of(record::list_samples(round.samples), [&](const record::Sample& sample) {
+        return failed.contains(sample.variant->folder) || record::is_complete(sample, round.folder);
+    });
+}
+
+/// Runs a round, what is left of it. @return false where it was stopped
+bool run_round(
+    const CalibrationJob& calibration, const job::CalibrationRound& round, const Stopwatch& watch,
+    const Console& console
+) {
+    io::make_folders(round.folder);
+    if (is_done(round)) {
+        return true;
+    }
+    Job job = job_of(calibration, round.samples, round.folder);
+    job.time_limit = calibration.time_limit - watch.seconds();
+    job.plan = plan_rest(job);
+    console.talk(fmt::format(
+        "{:10} {}: {}", round.name, plural(std::ssize(round.samples.studies), "sample"), plan::plan_sentence(job.plan)
+    ));
+    return conduct_samples(job, console);
+}
+
+std::string bound_text(const job::ParameterResult& p) {
+    switch (p.interval.bound) {
+    case calibration::Bound::None:
+        return "";
+    case calibration::Bound::Low:
+        return fmt::format("at its lower bound {}: lower it", job::shown_value(p.unknown, p.unknown.least));
+    case calibration::Bound::High:
+        break;
+    }
+    return fmt::format("at its upper bound {}: raise it", job::shown_value(p.unknown, p.unknown.most));
+}
+
+void print_parameters(const job::CalibrationResult& result, const Console& console) {
+    std::size_t width = 0;
+    for (const job::ParameterResult& p : result.parameters) {
+        width = std::max(width, p.unknown.key.size());
+    }
+    console.result(fmt::format("{:{}}  {:>12}  {:>12}  90 % interval", "parameter", width, "likeliest", "mean"));
+    for (const job::ParameterResult& p : result.parameters) {
+        std::string note = p.interval.is_identified() ? "" : "not identified";
+        if (const std::string bound = bound_text(p); !bound.empty()) {
+            note += (note.empty() ? "" : ", ") + bound;
+        }
+        console.result(fmt::format(
+            "{:{}}  {:>12}  {:>12}  {} to {}{}", p.unknown.key, width, job::shown_value(p.unknown, p.best),
+            job::shown_value(p.unknown, p.mean), job::shown_value(p.unknown, p.low),
+            job::shown_value(p.unknown, p.high), note.empty() ? "" : "   " + note
+        ));
+    }
+    for (const job::ParameterResult& p : result.parameters) {
+        if (p.remedy != job::Remedy::None) {
+            console.result(
+                fmt::format("{} is not identified by these tests; add {}", p.unknown.key, job::words_of(p.remedy))
+            );
+        }
+    }
+    for (std::size_t a = 0; a < result.correlations.size(); ++a) {
+        for (std::size_t b = a + 1; b < result.correlations.size(); ++b) {
+            if (std::abs(result.correlations[a][b]) > 0.7) {
+                console.result(fmt::format(
+                    "{} and {} are correlated, {:.2f}: the tests fix their combination better than each of them",
+                    result.parameters[a].unknown.key, result.parameters[b].unknown.key, result.correlations[a][b]
+                ));
+            }
+        }
+    }
+}
+
+void print_fits(const job::CalibrationResult& result, const Console& console) {
+    for (const job::TargetFit& fit : result.fits) {
+        std::string text;
+        for (std::size_t part = 0; part < fit.laboratory.form.measured.size() && !fit.model.empty(); ++part) {
+            text += fmt::format(
+                "{}{} {:.1f} %", text.empty() ? "" : ", ", job::key_of(fit.laboratory.form.measured[part]),
+                100 * job::relative_misfit(fit, part)
+            );
+        }
+        console.result(fmt::format(
+            "{} {}: misfit {}; {} of {} failed", fit.target.is_held_out ? "held out" : "fit", fit.target.name,
+            text.empty() ? "unknown" : text + " of the largest value", fit.failed, plural(fit.samples, "sample")
+        ));
+    }
+}
+
+int print_answer(const CalibrationJob& job, const job::CalibrationResult& result, const Console& console) {
+    const int code = result.is_complete ? static_cast<int>(Done)
+                     : stop_flag()      ? signal_exit_code()
+                                        : static_cast<int>(OutOfTime);
+    if (!result.is_complete) {
+        console.talk(fmt::format(
+            "stopped {}; suffuse resume {} continues",
+            result.parameters.empty() ? "before its first round ended" : "early: this is the answer so far",
+            shell_word(job.folder.string())
+        ));
+    }
+    if (!result.parameters.empty()) {
+        print_parameters(result, console);
+        print_fits(result, console);
+        console.result(fmt::format("for a case: {}", (job.folder / "contact.toml").string()));
+    }
+    return code;
+}
+
+} // namespace
+
+bool is_calibration(const fs::path& folder) {
+    return fs::exists(folder / calibration_case_file);
+}
+
+int price_calibration(const CalibrationJob& calibration, const Console& console) {
+    const casefile::CalibrationCase what =
+        casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
+    const casefile::Case samples = job::first_round(what);
+    const plan::RunPlan plan = plan_rest(job_of(calibration, samples, {}));
+    const auto fitted = std::ranges::count(what.spec.targets, false, &casefile::CalibrateTarget::is_held_out);
+    const double share = static_cast<double>(what.spec.samples * fitted) / static_cast<double>(samples.studies.size());
+    const Range all{plan.seconds.least * share, plan.seconds.most * share};
+    console.result(fmt::format("first round: {}", plan::plan_sentence(plan)));
+    console.result(fmt::format(
+        "all rounds, at most {} of each target: {}", plural(what.spec.samples, "sample"), duration_range_text(all)
+    ));
+    console.document(
+        json_text({{"first_round", plan}, {"seconds", {all.least, all.most}}, {"samples", what.spec.samples * fitted}})
+    );
+    return Done;
+}
+
+int conduct_calibration(const CalibrationJob& calibration, const Console& console) {
+    const casefile::CalibrationCase what =
+        casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
+    keep_case(calibration);
+    const Stopwatch watch;
+    const auto run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };
+    const job::CalibrationResult result = job::calibrate(what, {calibration.folder, run});
+    if (!result.parameters.empty()) {
+        job::write_calibration(calibration.folder, what, result);
+        console.document(json_text(job::calibration_json(what, result)));
+    }
+    return print_answer(calibration, result, console);
+}
+
+} // namespace suffuse::apps

@@ -1,0 +1,156 @@
+// Curves of laboratories and of simulations, brought to one form: the values are known in closed form.
+
+#include "suffuse/job/laboratory_curve.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/laboratory/read_test.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace suffuse::job {
+namespace {
+
+using casefile::CalibrateTarget;
+using casefile::CalibrateTest;
+
+laboratory::TestRecord parsed(const std::string& text, const CalibrateTarget& target) {
+    const bool is_oedometer = target.test == CalibrateTest::Oedometer;
+    return laboratory::parse_test(
+        std::make_shared<Source>(Source{"t.csv", text}),
+        {.kind = is_oedometer ? laboratory::TestKind::Oedometer : laboratory::TestKind::Triaxial,
+         .contraction_is_positive = true}
+    );
+}
+
+LaboratoryCurve curve_of(const std::string& text, const CalibrateTarget& target) {
+    return laboratory_curve(parsed(text, target), target);
+}
+
+CalibrateTarget target_of(CalibrateTest test) {
+    CalibrateTarget target;
+    target.name = "t";
+    target.file = "t.csv";
+    target.test = test;
+    target.pressure = 100e3;
+    return target;
+}
+
+std::string drained(const std::string& name, double slope) {
+    std::string text;
+    for (int k = 0; k <= 10; ++k) {
+        text += fmt::format("{},{},{},{}\n", name, 1 + 2 * k, slope * k, 0.5 * k); // it begins at a strain of 1 %
+    }
+    return text;
+}
+
+const std::string drained_head = "test,axial strain [%],q [kPa],volumetric strain [%]\n";
+
+} // namespace
+
+TEST(LaboratoryCurve, IsOverThePressureAndSinceTheStart) {
+    const CalibrateTarget target = target_of(CalibrateTest::Drained);
+    const LaboratoryCurve curve = curve_of(drained_head + drained("a", 20), target);
+    ASSERT_EQ(curve.form.grid.size(), 12U);
+    EXPECT_DOUBLE_EQ(curve.form.grid.back(), 0.1) << "where the comparison ends, not the test";
+    ASSERT_EQ(curve.values.size(), 24U);
+    for (std::size_t k = 0; k < 12; ++k) {
+        EXPECT_NEAR(curve.values[k], 10 * curve.form.grid[k], 1e-12);
+        EXPECT_NEAR(curve.values[12 + k], 0.25 * curve.form.grid[k], 1e-12);
+        EXPECT_NEAR(curve.deviations[k], 0.03 * 1, 1e-12) << "of the largest stress ratio";
+        EXPECT_NEAR(curve.deviations[12 + k], 0.03 * 0.025, 1e-12);
+        EXPECT_EQ(curve.rows[12 + k], static_cast<int>(12 + k));
+    }
+    EXPECT_EQ(curve.begins, std::vector<int>{12});
+}
+
+TEST(LaboratoryCurve, HasThePartsThatWereMeasured) {
+    std::string text = "axial strain [%],q [kPa]\n";
+    for (int k = 0; k <= 5; ++k) {
+        text += fmt::format("{},{}\n", k, 30 * k);
+    }
+    const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Drained));
+    EXPECT_EQ(curve.form.measured, std::vector{CurveQuantity::StressRatio});
+    EXPECT_EQ(curve.form.parts.size(), 2U) << "simulations have the volumetric strain, too";
+    EXPECT_DOUBLE_EQ(curve.form.grid.back(), 0.05) << "the end of the test";
+    EXPECT_EQ(curve.values.size(), 12U);
+}
+
+TEST(LaboratoryCurve, IsOfTheTestThatTheTargetNames) {
+    const std::string text = drained_head + drained("a", 20) + drained("b", 40);
+    CalibrateTarget target = target_of(CalibrateTest::Drained);
+    EXPECT_THROW(curve_of(text, target), CaseError);
+    target.sample = "b";
+    EXPECT_NEAR(curve_of(text, target).values[11], 2, 1e-12);
+    target.sample = "c";
+    try {
+        curve_of(text, target);
+        FAIL();
+    } catch (const CaseError& error) {
+        EXPECT_EQ(std::string(error.what()), "target \"t\": t.csv has no test \"c\"; its tests are \"a\" to \"b\"");
+    }
+}
+
+TEST(LaboratoryCurve, OfAnUndrainedTestHasTheEffectiveMeanStressThatWaterLeaves) {
+    std::string text = "axial strain [%],q [kPa],pore pressure u [kPa]\n";
+    for (int k = 0; k <= 10; ++k) {
+        text += fmt::format("{},{},{}\n", k, 6 * k, 200 + 5 * k);
+    }
+    const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Undrained));
+    ASSERT_EQ(curve.form.measured.back(), CurveQuantity::MeanStressRatio);
+    EXPECT_NEAR(curve.values[23], 1 + 0.6 / 3 - 0.5, 1e-12); // p0 + q/3 - u, over p0
+}
+
+TEST(LaboratoryCurve, OfAnOedometerIsThatOfItsFirstLoading) {
+    std::string text = "axial stress [kPa],axial strain [%]\n";
+    for (const int stress : {10, 20, 40, 80, 160, 320, 640}) {
+        text += fmt::format("{},{}\n", stress, std::log10(stress / 10.0));
+    }
+    text += "100,1.7\n10,1.6\n"; // unloaded
+    const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Oedometer));
+    EXPECT_NEAR(curve.form.grid.front(), 100e3, 1e-6);
+    EXPECT_NEAR(curve.form.grid.back(), 640e3, 1e-6);
+    EXPECT_NEAR(curve.values.front(), 0, 1e-15);
+    EXPECT_NEAR(curve.values.back(), 0.01 * std::log10(6.4), 1e-12);
+    CalibrateTarget high = target_of(CalibrateTest::Oedometer);
+    high.pressure = 600e3;
+    EXPECT_THROW(curve_of(text, high), CaseError);
+}
+
+TEST(SimulatedCurve, HasStrainsOverTheLengthOfTheStart) {
+    const CalibrateTarget target = target_of(CalibrateTest::Drained);
+    const LaboratoryCurve laboratory = curve_of(drained_head + drained("a", 20), target);
+    std::vector<triaxial::PathRow> rows;
+    for (int k = 0; k <= 200; ++k) { // the same test as a simulation records it: fine enough that chords are arcs
+        const double strain = 0.0006 * k;
+        triaxial::PathRow& row = rows.emplace_back();
+        row.axial_strain = -std::log1p(-strain);
+        row.volumetric_strain = -std::log1p(-0.25 * strain);
+        row.deviator_stress = 10 * strain * target.pressure;
+    }
+    const std::vector<double> curve = simulated_curve(rows, laboratory.form, target);
+    ASSERT_EQ(curve.size(), laboratory.values.size());
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+        EXPECT_NEAR(curve[k], laboratory.values[k], 1e-10);
+    }
+}
+
+TEST(SimulatedCurve, OfAnOedometerBeginsAtThePressure) {
+    CurveForm form;
+    form.grid = {100e3, 200e3, 400e3};
+    form.parts = form.measured = {CurveQuantity::AxialStrain};
+    std::vector<triaxial::PathRow> rows;
+    for (const double stress : {100e3, 200e3, 400e3, 800e3}) {
+        triaxial::PathRow& row = rows.emplace_back();
+        row.stress(2, 2) = stress;
+        row.axial_strain = -std::log1p(-1e-7 * stress);
+    }
+    const std::vector<double> curve = simulated_curve(rows, form, target_of(CalibrateTest::Oedometer));
+    EXPECT_NEAR(curve[0], 0, 1e-15);
+    EXPECT_NEAR(curve[1], 0.01, 1e-12);
+    EXPECT_NEAR(curve[2], 0.03, 1e-12);
+}
+
+} // namespace suffuse::job
