@@ -39,6 +39,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_contacts(m);
     python::bind_world(m);
     python::bind_steps(m);
+    python::bind_laboratory_tests(m);
     python::bind_preparation(m);
     python::bind_pores(m);
     python::bind_water(m);
