@@ -1,4 +1,5 @@
-// Tests of a laboratory on a world: triaxial, oedometer, isotropic, plane strain, shear, cyclic; and stress probes.
+// Tests of a laboratory on a world: triaxial, oedometer, isotropic, plane strain, shear, cyclic; stress probes and
+// stiffness.
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/casefile/names.hpp"
@@ -7,6 +8,7 @@
 #include "suffuse/run/laboratory_numbers.hpp"
 #include "suffuse/run/measure.hpp"
 #include "suffuse/triaxial/response.hpp"
+#include "suffuse/triaxial/stiffness.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
 #include "python/bindings/bindings.hpp"
@@ -192,6 +194,35 @@ py::list run_stress_probe(
     return to_python(nlohmann::json(probes));
 }
 
+py::dict run_stiffness(
+    WorldHandle& w, const Quantity& increment, const Quantity& unbalanced_force, const QuantityOrNone& time_step,
+    const Quantity& damping, const CallableOrNone& on_progress
+) {
+    Stepping call(w);
+    triaxial::StiffnessSpec spec;
+    spec.increment = value_of(key_of("stage.stiffness", "increment"), increment, "increment");
+    spec.unbalanced_force =
+        value_of(key_of("stage.stiffness", "unbalanced_force"), unbalanced_force, "unbalanced_force");
+    const double given_damping = damping_of(damping);
+    spec.time_step = time_step_of(time_step, given_damping, call).value_or(0);
+    std::vector<triaxial::StrainProbe> probes;
+    Attention attention(on_progress, call);
+    const dem::World world = begin_copy(call);
+    triaxial::Stiffness stiffness;
+    {
+        const Working working;
+        const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
+        triaxial::RestedState state = triaxial::rest_for_strains(world, spec, given_damping, pulse);
+        for (int number = 0; number < triaxial::strain_directions; ++number) {
+            const Mat3 direction = triaxial::strain_direction(number);
+            probes.push_back(triaxial::probe_strain(state, spec, direction, given_damping, pulse));
+        }
+        stiffness = triaxial::stiffness_of(state, probes);
+    }
+    warn_caller(run::words_on_stiffness(stiffness, spec));
+    return to_python(nlohmann::json(stiffness));
+}
+
 void bind_triaxial(WorldClass& type) {
     type.def(
         "triaxial", &run_triaxial, py::arg("strain") = triaxial::TriaxialSpec{}.strain, py::kw_only(),
@@ -310,6 +341,21 @@ void bind_stress_probe(WorldClass& type) {
     );
 }
 
+void bind_stiffness(WorldClass& type) {
+    const triaxial::StiffnessSpec usual;
+    type.def(
+        "stiffness", &run_stiffness, py::arg("increment") = usual.increment, py::kw_only(),
+        py::arg("unbalanced_force") = usual.unbalanced_force, py::arg("time_step") = py::none(),
+        py::arg("damping") = dem::usual_damping, py::arg("on_progress") = py::none(),
+        with_keys(
+            "Puts six small strains on copies of the world, as a stage that does \"stiffness\"; returns a dictionary "
+            "with the numbers that stage.json has: `stiffness` (6 x 6 in Voigt's order) [Pa], `young_modulus`, "
+            "`shear_modulus`, `bulk_modulus`, `poisson_ratio`, `anisotropy` and others. The world stays as it is.\n",
+            {{"stage.stiffness", "increment"}, {"stage.stiffness", "unbalanced_force"}}
+        ).c_str()
+    );
+}
+
 } // namespace
 
 void bind_laboratory_tests(py::module_& m) {
@@ -317,6 +363,7 @@ void bind_laboratory_tests(py::module_& m) {
     bind_triaxial(type);
     bind_other_tests(type);
     bind_stress_probe(type);
+    bind_stiffness(type);
 }
 
 } // namespace suffuse::python

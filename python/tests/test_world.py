@@ -362,6 +362,7 @@ LOOKS = {
     "save": lambda world, folder: world.save(folder / "state.h5"),
     "seep": lambda world, folder: suffuse.seep(world, gradient=0.1, tensor=True),
     "show": lambda world, folder: (repr(world), world._repr_html_(), str(world.view())),
+    "stiffness": lambda world, folder: world.stiffness(),
     "stress probe": lambda world, folder: world.stress_probe("2 %", directions=4),
     "time step": lambda world, folder: world.stable_time_step(),
     "write": lambda world, folder: suffuse.write_packing(folder / "packing.csv", world),
@@ -377,6 +378,20 @@ def test_what_only_looks_leaves_the_world_and_its_rows_as_they_are(packing, tmp_
     before, known, ids = pickle.dumps(packing), packing.hash, packing.grains.id.copy()
     LOOKS[look](packing, tmp_path)
     assert packing.hash == known and (packing.grains.id == ids).all() and pickle.dumps(packing) == before
+
+
+def test_stiffness_is_symmetric_and_below_the_mean_field(cloud, settled):
+    found = settled.stiffness()
+    tensor = numpy.array(found["stiffness"])
+    assert tensor.shape == (6, 6) and (tensor == tensor.T).all() and (numpy.linalg.eigvalsh(tensor) > 0).all()
+    assert 0 < found["shear_modulus"] < found["mean_field_shear"]
+    assert found["young_moduli"][2] == pytest.approx(1 / numpy.linalg.inv(tensor)[2, 2])
+    with pytest.warns(UserWarning, match="outside the elastic range"):
+        settled.stiffness(0.005)
+    with pytest.raises(suffuse.StateError):
+        cloud.stiffness()
+    with pytest.raises(suffuse.CaseError, match="increment"):
+        settled.stiffness(0)
 
 
 def test_a_stress_probe_answers_by_direction(cloud, settled):

@@ -27,7 +27,7 @@ using StageSpec = std::variant<
     ImportSpec, packing::PackSpec, packing::CompactSpec, dem::SettleSpec, triaxial::TriaxialSpec,
     triaxial::StressProbeSpec, dem::AdvanceSpec, flow::FlowSpec, erosion::DetachStageSpec, erosion::ErodeSpec,
     erosion::RemoveSpec, triaxial::OedometerSpec, triaxial::IsotropicSpec, triaxial::PlaneStrainSpec,
-    triaxial::ShearSpec, triaxial::CyclicSpec, erosion::MigrateSpec>;
+    triaxial::ShearSpec, triaxial::CyclicSpec, erosion::MigrateSpec, triaxial::StiffnessSpec>;
 
 /// A value as it stands in the case file: a quantity stays a text with its unit.
 using Scalar = std::variant<bool, std::int64_t, double, std::string>;

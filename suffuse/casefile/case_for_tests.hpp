@@ -233,6 +233,12 @@ unbalanced_force = 1e-6
 max_strain = "2 %"
 max_steps = 10_000
 [[study.main.stage]]
+name = "stiff"
+do = "stiffness"
+increment = 2e-6
+unbalanced_force = 1e-7
+max_steps = 10_000
+[[study.main.stage]]
 name = "emptied"
 from = "initial"
 do = "remove"

@@ -252,6 +252,14 @@ void fields(V& v, triaxial::CyclicSpec& s) {
 }
 
 template <class V>
+void fields(V& v, triaxial::StiffnessSpec& s) {
+    v.field("increment", s.increment);
+    v.field("unbalanced_force", s.unbalanced_force);
+    v.field("max_steps", s.max_steps);
+    v.time_step(s.time_step);
+}
+
+template <class V>
 void fields(V& v, triaxial::StressProbeSpec& s) {
     v.choice("axis", s.axis, names::axis);
     v.field("directions", s.directions);

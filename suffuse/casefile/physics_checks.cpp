@@ -343,6 +343,8 @@ struct CheckValues {
 
     void operator()(const triaxial::StressProbeSpec&) const {}
 
+    void operator()(const triaxial::StiffnessSpec&) const {}
+
     void operator()(const dem::AdvanceSpec& advance) const { check_loading(checks, stage, advance.loading, false); }
 
     void operator()(const flow::FlowSpec& flow) const {

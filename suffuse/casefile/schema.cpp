@@ -20,8 +20,8 @@ namespace {
 std::vector<Key> make_rows() {
     std::vector<Key> rows;
     for (auto part :
-         {detail::general_rows, detail::soil_and_study_rows, detail::preparation_rows, detail::erosion_rows,
-          detail::calibrate_rows, detail::output_rows}) {
+         {detail::general_rows, detail::soil_and_study_rows, detail::preparation_rows, detail::test_rows,
+          detail::erosion_rows, detail::calibrate_rows, detail::output_rows}) {
         std::vector<Key> more = part();
         rows.insert(rows.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
     }

@@ -74,6 +74,7 @@ namespace detail {
 std::vector<Key> general_rows();
 std::vector<Key> soil_and_study_rows();
 std::vector<Key> preparation_rows();
+std::vector<Key> test_rows();
 std::vector<Key> erosion_rows();
 std::vector<Key> output_rows();
 std::vector<Key> calibrate_rows();

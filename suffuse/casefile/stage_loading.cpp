@@ -25,6 +25,8 @@ struct LoadingAtEnd {
 
     Named operator()(const triaxial::StressProbeSpec&) const { return {}; }
 
+    Named operator()(const triaxial::StiffnessSpec&) const { return {}; }
+
     Named operator()(const dem::AdvanceSpec&) const { return {}; } // whose end need not be balanced
 
     Named operator()(const flow::FlowSpec&) const { return {}; }

@@ -108,6 +108,8 @@ inline constexpr std::tuple stage_rows{
          .needs_fines_rule = true,
          .loses_grains = true,
          .keeps_path = true}},
+    TraitsOf<triaxial::StiffnessSpec>{
+        {.verb = "stiffness", .needs = Needs::Stress, .only_looks = true, .keeps_path = true}},
 };
 
 namespace detail {

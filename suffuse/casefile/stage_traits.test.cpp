@@ -34,6 +34,7 @@ TEST(StageTraits, EachSpecHasTheRowOfItsVerb) {
     EXPECT_EQ(traits_of(StageSpec{erosion::ErodeSpec{}}).verb, "erode");
     EXPECT_EQ(traits_of(StageSpec{erosion::RemoveSpec{}}).verb, "remove");
     EXPECT_EQ(traits_of(StageSpec{erosion::MigrateSpec{}}).verb, "migrate");
+    EXPECT_EQ(traits_of(StageSpec{triaxial::StiffnessSpec{}}).verb, "stiffness");
 }
 
 TEST(StageTraits, AVerbIsFoundByItsName) {

@@ -116,10 +116,10 @@ TEST(Studies, ASweptContactKeyIsCheckedLikeAnyOther) {
 
 TEST(Studies, OnlyRunsAStageForItsValues) {
     const Study study = load(full_case).studies[0];
-    EXPECT_EQ(study.variants[0].stages.size(), 15U);
-    EXPECT_EQ(study.variants[4].stages.size(), 14U);
+    EXPECT_EQ(study.variants[0].stages.size(), 16U);
+    EXPECT_EQ(study.variants[4].stages.size(), 15U);
     EXPECT_EQ(study.variants[4].stages[2].name, "erosion");
-    EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2, 1, 4, 1, 1, 1, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2, 1, 4, 4, 1, 1, 1, 1, 1, 1, 1, 1}));
 }
 
 TEST(Studies, AStudyWithoutSweepHasOneVariant) {

@@ -368,6 +368,7 @@ std::vector<Group> make_groups() {
         {"`energy` of a response", "energy", of_energy},
         {"`stress-probe`", "", of_stress_probe},
         {"`stress_probes`, an object a direction", "stress_probes", of_stress_probes},
+        {"`stiffness`", "", facts_of(stiffness)},
         {"Source of a flow: `flow`, `detach`, and `flow_before` and `flow_after` of a pass", "", facts_of(flow_source)},
         {"`flow`", "", of_flow},
         {"`resolved` of `flow`", "resolved", of_resolved},

@@ -1,9 +1,10 @@
 #pragma once
-// Triaxial tests and stress probes.
+// Laboratory tests and small-strain stiffness.
 
 #include "suffuse/facts/fact.hpp"
 #include "suffuse/triaxial/laboratory_numbers.hpp"
 #include "suffuse/triaxial/response.hpp"
+#include "suffuse/triaxial/stiffness.hpp"
 
 namespace suffuse::facts {
 
@@ -92,6 +93,39 @@ inline constexpr std::tuple cyclic{
     row<&triaxial::CyclicNumbers::double_amplitude>(
         "double_amplitude", "-", "largest axial strain from one turn of the load to the next"
     ),
+};
+
+/// Of `stiffness`.
+inline constexpr std::tuple stiffness{
+    row<&triaxial::Stiffness::tensor>(
+        "stiffness", "Pa", "6 × 6, in Voigt's order xx, yy, zz, yz, zx, xy with engineering shear strains"
+    ),
+    row<&triaxial::Stiffness::young_modulus>("young_modulus", "Pa", "of the two below")
+        .as(Shown{"Young's modulus", "E₀", "MPa", 3}),
+    row<&triaxial::Stiffness::shear_modulus>("shear_modulus", "Pa", "mean over all directions (Voigt)")
+        .as(Shown{"shear modulus", "G₀", "MPa", 3}),
+    row<&triaxial::Stiffness::bulk_modulus>("bulk_modulus", "Pa", "mean over all directions (Voigt)")
+        .as(Shown{"bulk modulus", "K", "MPa", 3}),
+    row<&triaxial::Stiffness::poisson_ratio>("poisson_ratio", "-", "of both moduli")
+        .as(Shown{"Poisson's ratio", "ν", "-", 3}),
+    row<&triaxial::Stiffness::young_moduli>("young_moduli", "Pa", "along x, y, z, each stress alone; or null"),
+    row<&triaxial::Stiffness::anisotropy>(
+        "anisotropy", "-", "5 Gᵥ/Gᵣ + Kᵥ/Kᵣ − 6 (averages of Voigt and Reuss): 0 if isotropic; or null"
+    )
+        .as(Shown{"anisotropy", "Aᵤ", "-", 3}),
+    row<&triaxial::Stiffness::mean_field_shear>(
+        "mean_field_shear", "Pa", "upper bound of `shear_modulus`: all grains move with the mean strain"
+    ),
+    row<&triaxial::Stiffness::mean_field_bulk>("mean_field_bulk", "Pa", "upper bound of `bulk_modulus`, likewise"),
+    row<&triaxial::Stiffness::nonlinearity>(
+        "nonlinearity", "-",
+        "largest difference from the tensor by half of the increment, over the largest entry; above 2 % a flaw"
+    )
+        .as(Kind::Computation),
+    row<&triaxial::Stiffness::reciprocity>(
+        "reciprocity", "-", "largest difference of the measured tensor from its transpose, over the largest entry"
+    )
+        .as(Kind::Computation),
 };
 
 } // namespace suffuse::facts

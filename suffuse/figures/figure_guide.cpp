@@ -154,6 +154,10 @@ constexpr std::array guides = {
         "Path of effective stress, loops of stress and strain, and the pore-pressure ratio against cycles.",
         "`cyclic` stages"},
     Guide{
+        "own-stiffness", "small-strain stiffness",
+        "Shear modulus against the mean stress, with the bound of grains that all move with the mean strain.",
+        "`stiffness` stages"},
+    Guide{
         "own-energy", "where the work of the tests goes",
         "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
         "`triaxial` stages"},

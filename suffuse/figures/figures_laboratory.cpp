@@ -160,6 +160,71 @@ std::optional<Figure> shear_curves(const std::vector<LaboratoryTest>& tests) {
     return figure;
 }
 
+std::optional<Figure> stiffness_points(const std::vector<LaboratoryTest>& tests) {
+    if (tests.empty()) {
+        return std::nullopt;
+    }
+    constexpr double MPa = 1e6, kPa = 1e3;
+    Figure figure = figure_of("own-stiffness", "Small-strain stiffness", "");
+    std::vector<std::string> names;
+    for (const LaboratoryTest& test : tests) {
+        names.push_back(test.name);
+    }
+    figure.table.add("test", std::move(names));
+    const auto add = [&](const char* key, const char* unit, double size) {
+        std::vector<double> values;
+        for (const LaboratoryTest& test : tests) {
+            const json& value = test.stage->numbers.at(key);
+            values.push_back(value.is_number() ? value.get<double>() / size : missing);
+        }
+        figure.table.add(key, unit, std::move(values));
+    };
+    add("mean_stress", "kPa", kPa);
+    add("void_ratio", "-", 1);
+    for (const char* modulus : {"young_modulus", "shear_modulus", "mean_field_shear", "bulk_modulus"}) {
+        add(modulus, "MPa", MPa);
+    }
+    add("poisson_ratio", "-", 1);
+    add("anisotropy", "-", 1);
+    json layers = json::array();
+    for (const auto& [key, name] : {std::pair{"shear_modulus", "measured"}, {"mean_field_shear", "mean-field bound"}}) {
+        const auto axis = [](const char* field, const char* title) {
+            return json{
+                {"field", field},
+                {"type", "quantitative"},
+                {"title", title},
+                {"axis", {{"format", ".3~g"}}},
+                {"scale", {{"type", "log"}, {"nice", false}, {"padding", 20}}}};
+        };
+        json layer{{"mark", {{"type", "point"}, {"filled", true}, {"size", 60}}}};
+        layer["encoding"] = {
+            {"x", axis("mean_stress", "effective mean stress p′ [kPa]")},
+            {"y", axis(key, "shear modulus G₀ [MPa]")},
+            {"color", {{"datum", name}, {"scale", {{"range", color::sequence()}}}}},
+            {"tooltip",
+             {{{"field", "test"}},
+              {{"field", "mean_stress"}, {"format", ".4g"}},
+              {{"field", key}, {"format", ".4g"}},
+              {{"field", "void_ratio"}, {"format", ".3f"}}}}};
+        layers.push_back(layer);
+    }
+    figure.chart = {{"width", 480}, {"height", 260}, {"layer", layers}};
+    std::string all;
+    for (const LaboratoryTest& test : tests) {
+        const json& of = test.stage->numbers;
+        const auto number = [&](const char* key, double size) {
+            return short_number(of.at(key).get<double>() / size, 3);
+        };
+        all += fmt::format(
+            "{}{}: G₀ {} MPa, E₀ {} MPa, ν {}", all.empty() ? "" : "; ", test.name, number("shear_modulus", MPa),
+            number("young_modulus", MPa), number("poisson_ratio", 1)
+        );
+    }
+    figure.claim = as_sentence(all.substr(0, all.find(';')));
+    figure.caption = as_sentence(all) + " The bound is the modulus of grains that all move with the mean strain.";
+    return figure;
+}
+
 std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests) {
     if (tests.empty()) {
         return std::nullopt;

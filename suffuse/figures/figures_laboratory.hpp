@@ -1,6 +1,7 @@
 #pragma once
 // The figures that laboratories draw of tests other than triaxial compression: e against log stress, stress ratio
-// against shear strain, and the loops, the path and the pore pressure of cycles. Inputs are SI.
+// against shear strain, and the loops, the path and the pore pressure of cycles, shear modulus against mean stress.
+// Inputs are SI.
 
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/record/finished_stage.hpp"
@@ -11,7 +12,7 @@
 
 namespace suffuse::figures {
 
-/// A finished stage with a curve, and what the legend calls it.
+/// A finished stage, and what the legend calls it.
 struct LaboratoryTest {
     std::string name;
     const record::FinishedStage* stage = nullptr;
@@ -25,5 +26,8 @@ std::optional<Figure> shear_curves(const std::vector<LaboratoryTest>& tests);
 
 /// Of stages that do "cyclic".
 std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests);
+
+/// Of stages that do "stiffness".
+std::optional<Figure> stiffness_points(const std::vector<LaboratoryTest>& tests);
 
 } // namespace suffuse::figures

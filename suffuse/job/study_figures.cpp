@@ -233,8 +233,17 @@ void draw_tests(
 
 /// The other tests of a laboratory, each kind in its own figure.
 void draw_laboratory(const study::RunResults& results, std::vector<figures::Figure>& figures) {
-    std::vector<figures::LaboratoryTest> compressed, sheared, cycled;
+    std::vector<figures::LaboratoryTest> compressed, sheared, cycled, probed;
     for (const record::FinishedStage& stage : results.stages) {
+        const auto add_to = [&](std::vector<figures::LaboratoryTest>& kind) {
+            if (kind.size() < most_tests) {
+                const bool is_one_of_many = results.what->studies.size() > 1 || !stage.study->sweep.empty();
+                kind.push_back({is_one_of_many ? stage.name() : stage.stage->name, &stage});
+            }
+        };
+        if (std::holds_alternative<triaxial::StiffnessSpec>(stage.stage->spec)) {
+            add_to(probed);
+        }
         const triaxial::TriaxialSpec* const spec = casefile::laboratory_test(stage.stage->spec);
         if (spec == nullptr || stage.findings.curve.empty()) {
             continue;
@@ -243,16 +252,14 @@ void draw_laboratory(const study::RunResults& results, std::vector<figures::Figu
                            : triaxial::shears(spec->path) ? &sheared
                            : spec->cycles                 ? &cycled
                                                           : nullptr;
-        if (kind != nullptr && kind->size() < most_tests) {
-            kind->push_back(
-                {results.what->studies.size() > 1 || !stage.study->sweep.empty() ? stage.name() : stage.stage->name,
-                 &stage}
-            );
+        if (kind != nullptr) {
+            add_to(*kind);
         }
     }
     add(figures::compression_curves(compressed), figures);
     add(figures::shear_curves(sheared), figures);
     add(figures::cyclic_curves(cycled), figures);
+    add(figures::stiffness_points(probed), figures);
 }
 
 /// What is mixed at each fines content, and the first sample's own grading.

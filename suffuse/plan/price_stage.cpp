@@ -10,6 +10,7 @@
 #include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/triaxial/run_path.hpp"
+#include "suffuse/triaxial/stiffness.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +26,7 @@ namespace {
 constexpr Range settling{250, 6'000}; // a packing from elsewhere
 constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
 constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
+constexpr Range rest_under_strain{150, 500};      // of a stiffness
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
 constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
 constexpr int endless = 5;                // passes that "until nothing leaves" may add to those specified ...
@@ -176,6 +178,14 @@ public:
             .reference_steps = first_relaxation + loads * rest_under_load + Range{loads * ramp, loads * ramp},
             .memory_a_grain = 2 * grain_memory,
             .basis = fmt::format("relaxation, {} loads and one without", spec.directions)};
+    }
+
+    StagePrice operator()(const triaxial::StiffnessSpec& /*spec*/) {
+        const double strains = 2 * triaxial::strain_directions; // half of each, then all of it
+        return {
+            .reference_steps = first_relaxation + strains * rest_under_strain,
+            .memory_a_grain = 2 * grain_memory,
+            .basis = fmt::format("relaxation, {} strains", strains)};
     }
 
     StagePrice operator()(const flow::FlowSpec& spec) {

@@ -90,6 +90,12 @@ SUFFUSE_MEMBERS( // whole or not at all, as CompactState
 
 SUFFUSE_MEMBERS(StressProbe, angle, stress, strain, second_order_work, normalized, answer, steps)
 
+SUFFUSE_MEMBERS(StrainProbe, half, whole, steps)
+
+void to_json(nlohmann::json& json, const Stiffness& stiffness) {
+    json = record::facts_json(facts::stiffness, stiffness);
+}
+
 void to_json(nlohmann::json& json, const Instability& at) {
     json = {{"q", at.deviator_stress}, {"p", at.mean_stress}, {"strain", at.axial_strain}};
 }

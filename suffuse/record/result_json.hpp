@@ -9,6 +9,7 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/record/ending_json.hpp"
 #include "suffuse/triaxial/response.hpp"
+#include "suffuse/triaxial/stiffness.hpp"
 #include "suffuse/triaxial/stress_probe.hpp"
 
 #include <nlohmann/json.hpp>
@@ -49,6 +50,8 @@ SUFFUSE_AS_JSON(PathRow)
 SUFFUSE_AS_JSON(PathState)
 NLOHMANN_JSON_SERIALIZE_ENUM(Answer, {{Answer::Rests, "rests"}, {Answer::Creeps, "creeps"}, {Answer::Fails, "fails"}})
 SUFFUSE_AS_JSON(StressProbe)
+SUFFUSE_AS_JSON(StrainProbe)
+void to_json(nlohmann::json& json, const Stiffness& stiffness);
 void to_json(nlohmann::json& json, const Instability& at);
 void to_json(nlohmann::json& json, const Response& response);
 } // namespace triaxial

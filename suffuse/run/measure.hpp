@@ -3,6 +3,7 @@
 
 #include "suffuse/dem/world.hpp"
 #include "suffuse/triaxial/response.hpp"
+#include "suffuse/triaxial/stiffness.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,9 @@ std::string words_on_overlap(double ratio, const grains::Material& material, dou
 /// What is to be said of a test that held its stress less closely than a quasi-static one does, with what to do; empty
 /// where it did, and where the sample lost that stress, which is said elsewhere.
 std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::Path path);
+
+/// What is to be said of a stiffness that is not the elastic one; empty where it is.
+std::string words_on_stiffness(const triaxial::Stiffness& stiffness, const triaxial::StiffnessSpec& spec);
 
 /// Grains, contacts, cell, stress, density, coordination, fabric, forces, balance, hash; with fines in the sample also
 /// what they do.

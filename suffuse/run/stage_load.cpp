@@ -1,8 +1,10 @@
-// The verbs that load a sample: settle, triaxial, stress-probe, advance.
+// The verbs that load a sample: settle, laboratory tests, stress-probe, stiffness, advance.
 
 #include "suffuse/dem/drive_world.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/facts/test.hpp"
+#include "suffuse/record/fact_json.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/laboratory_numbers.hpp"
 #include "suffuse/run/measure.hpp"
@@ -208,6 +210,34 @@ void do_stress_probe(StageWork& work, const triaxial::StressProbeSpec& spec) {
     work.numbers["drift"] = state.drift;
     work.numbers["stress_probes"] = probes;
     note_drift(work, state.drift, probes);
+}
+
+void do_stiffness(StageWork& work, const triaxial::StiffnessSpec& spec) {
+    std::vector<triaxial::StrainProbe> probes;
+    if (!work.resumed.is_null()) {
+        probes = work.resumed.at("probes").get<std::vector<triaxial::StrainProbe>>();
+    }
+    work.control.save_with([&] { work.save_partial({{"probes", probes}}); });
+    std::int64_t steps = 0; // of rest and of the strains that are over
+    const Pulse pulse = [&](std::string_view part, long long now) { work.control.beat(part, steps + now); };
+    triaxial::RestedState state = triaxial::rest_for_strains(work.world, spec, work.variant.damping, pulse);
+    steps = state.steps;
+    for (const triaxial::StrainProbe& probe : probes) {
+        steps += probe.steps;
+    }
+    while (std::ssize(probes) < triaxial::strain_directions) {
+        const Mat3 direction = triaxial::strain_direction(static_cast<int>(probes.size()));
+        probes.push_back(triaxial::probe_strain(state, spec, direction, work.variant.damping, pulse));
+        steps += probes.back().steps;
+    }
+    work.time_step = state.time_step;
+    work.grain_steps = steps * static_cast<std::int64_t>(work.world.grains.size());
+    work.numbers["steps"] = steps;
+    const triaxial::Stiffness stiffness = triaxial::stiffness_of(state, probes);
+    record::put_facts(work.numbers, facts::stiffness, stiffness);
+    if (const std::string words = words_on_stiffness(stiffness, spec); !words.empty()) {
+        work.flaws.push_back(work.place() + ": " + words);
+    }
 }
 
 void do_advance(StageWork& work, const dem::AdvanceSpec& spec) {

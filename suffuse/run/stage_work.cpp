@@ -51,6 +51,8 @@ void do_stage(StageWork& work) {
 
         void operator()(const triaxial::StressProbeSpec& spec) const { do_stress_probe(work, spec); }
 
+        void operator()(const triaxial::StiffnessSpec& spec) const { do_stiffness(work, spec); }
+
         void operator()(const dem::AdvanceSpec& spec) const { do_advance(work, spec); }
 
         void operator()(const flow::FlowSpec& spec) const { do_flow(work, spec); }

@@ -85,6 +85,7 @@ void do_compact(StageWork& work, const packing::CompactSpec& spec);
 void do_settle(StageWork& work, const dem::SettleSpec& spec);
 void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec);
 void do_stress_probe(StageWork& work, const triaxial::StressProbeSpec& spec);
+void do_stiffness(StageWork& work, const triaxial::StiffnessSpec& spec);
 void do_advance(StageWork& work, const dem::AdvanceSpec& spec);
 void do_flow(StageWork& work, const flow::FlowSpec& spec);
 void do_detach(StageWork& work, const erosion::DetachStageSpec& spec);

@@ -2,7 +2,7 @@
 // The tests of a laboratory, from the state that the stage starts from: `do = "triaxial"`, "oedometer", "isotropic",
 // "plane-strain", "shear" and "cyclic". They are one test in one apparatus, a cell whose sides each move at a rate or
 // bear a stress; a verb sets what is driven, what is held and where the test turns. `do = "stress-probe"`: answers of a
-// state to small loads of all directions.
+// state to small loads of all directions. `do = "stiffness"`: to small strains of all directions.
 
 #include <cstdint>
 #include <optional>
@@ -104,6 +104,14 @@ struct StressProbeSpec {
     double unbalanced_force = 1e-5;  ///< of the state probed, and of each answer [-]
     double max_strain = 0.01;        ///< norm of a strain beyond which the sample counts as failing [-]
     std::int64_t max_steps = 30'000; ///< of a probe; a sample not at rest by then creeps
+    double time_step = 0;            ///< [s]; 0 = computed
+};
+
+/// Strains of one size: three axial ones, three shears.
+struct StiffnessSpec {
+    double increment = 1e-6;         ///< axial, or engineering shear strain [-]
+    double unbalanced_force = 1e-6;  ///< of the state probed [-]
+    std::int64_t max_steps = 30'000; ///< until the state rests, and again until each strain has its stress
     double time_step = 0;            ///< [s]; 0 = computed
 };
 

@@ -6,10 +6,9 @@
 #include "suffuse/dem/carried_stress.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
-#include "suffuse/dem/relax.hpp"
-#include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
+#include "suffuse/triaxial/probed_sample.hpp"
 
 #include <fmt/format.h>
 
@@ -42,24 +41,6 @@ cell::Loading held(const Vec3& stress) {
     return loading;
 }
 
-/// Where a load has brought a world so far.
-struct LoadedSample {
-    dem::World world;
-    dem::StepCaches caches;
-    dem::BalanceState balance;
-    bool rests = false;
-};
-
-/// Over-damped, so that no inertia takes a contact over its limit that the load itself leaves below.
-void burst(LoadedSample& sample, const Vec3& stress, double time_step, double damping, const dem::BalanceSpec& goal) {
-    dem::StepPlan plan;
-    plan.dt = time_step;
-    plan.damping = damping;
-    plan.drag = dem::slowest_mode_drag(sample.world.grains.size(), time_step);
-    plan.loading = held(stress);
-    sample.rests = dem::settle_burst(sample.world, sample.caches, plan, goal, sample.balance);
-}
-
 dem::BalanceSpec goal_of(const StressProbeSpec& spec) {
     dem::BalanceSpec goal;
     goal.unbalanced_force = spec.unbalanced_force;
@@ -77,7 +58,7 @@ load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& incremen
     while (probe.answer == Answer::Rests && !(sample.rests && probe.steps >= spec.ramp)) {
         probe.steps += dem::burst_steps;
         const double share = std::min(1.0, static_cast<double>(probe.steps) / static_cast<double>(spec.ramp));
-        burst(sample, state.stress + share * increment, state.time_step, damping, goal);
+        burst(sample, held(state.stress + share * increment), state.time_step, damping, goal);
         probe.strain = cell::axial_strains(state.world.cell.h, sample.world.cell.h);
         if (norm(probe.strain) > spec.max_strain) {
             probe.answer = Answer::Fails;
@@ -103,7 +84,7 @@ ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec
     ProbedState state;
     state.time_step = spec.time_step > 0 ? spec.time_step : dem::stable_time_step(sample.world, {damping});
     while (!sample.rests) {
-        burst(sample, stress, state.time_step, damping, goal);
+        burst(sample, held(stress), state.time_step, damping, goal);
         state.steps += dem::burst_steps;
         const double strain = norm(cell::axial_strains(world.cell.h, sample.world.cell.h));
         if (strain > spec.max_strain || (!sample.rests && state.steps >= spec.max_steps)) {

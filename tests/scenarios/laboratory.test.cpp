@@ -22,6 +22,7 @@ std::string laboratory() {
            stage("all-around", "do = \"isotropic\"\nstresses = [\"300 kPa\", \"100 kPa\", \"200 kPa\"]\n") +
            stage("plane", "do = \"plane-strain\"\nstrain = \"2 %\"\n") +
            stage("sheared", "do = \"shear\"\nhold = \"stress\"\nstrain = \"3 %\"\n") +
+           "[[study.s.stage]]\nname = \"stiff\"\nfrom = \"settled\"\n" + "do = \"stiffness\"\n" +
            stage("cycled", "do = \"cyclic\"\ncsr = 0.15\ncycles = 2\n");
 }
 
@@ -45,7 +46,11 @@ TEST(Laboratory, EachTestLeavesItsNumbersAndItsFigure) {
     EXPECT_EQ(cycled.at("cycles"), 2);
     EXPECT_TRUE(cycled.at("cycles_to_liquefaction").is_null());
     EXPECT_GT(cycled.at("rows").size(), 40U);
-    for (const char* id : {"own-triaxial", "own-compression", "own-shear", "own-cyclic"}) {
+    const nlohmann::json stiff = stage_of(folder.path(), "stiff");
+    EXPECT_TRUE(stiff.at("flaws").empty());
+    EXPECT_LT(stiff.at("shear_modulus"), stiff.at("mean_field_shear"));
+    EXPECT_EQ(stiff.at("stiffness").size(), 6U);
+    for (const char* id : {"own-triaxial", "own-compression", "own-shear", "own-cyclic", "own-stiffness"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / ("run/figures/" + std::string(id) + ".csv"))) << id;
     }
 }
@@ -71,6 +76,7 @@ TEST(Laboratory, ATestThatIsStoppedGoesOnToTheSameBits) {
         EXPECT_EQ(stage_of(straight.path(), name).at("state_hash"), stage_of(broken.path(), name).at("state_hash"))
             << name;
     }
+    EXPECT_EQ(stage_of(straight.path(), "stiff").at("stiffness"), stage_of(broken.path(), "stiff").at("stiffness"));
 }
 
 } // namespace

@@ -32,8 +32,9 @@ struct ElasticConstants {
     double c11, c12, c44; ///< [Pa]
 };
 
-inline ElasticConstants elastic_constants(const Lattice& lattice, const grains::Material& material) {
-    const double kn = material.modulus * lattice_radius, ks = material.shear_ratio * kn, d = 2 * lattice_radius;
+/// By the normal and shear stiffness of a contact [N/m].
+inline ElasticConstants elastic_constants(const Lattice& lattice, double kn, double ks) {
+    const double d = 2 * lattice_radius;
     if (lattice.name == "SC") {
         return {kn / d, 0, ks / (2 * d)};
     }
@@ -44,6 +45,12 @@ inline ElasticConstants elastic_constants(const Lattice& lattice, const grains::
     }
     const double root2 = std::sqrt(2.0);
     return {root2 * (kn + ks) / d, (kn - ks) / (root2 * d), (kn + ks) / (root2 * d)};
+}
+
+/// Of the linear law.
+inline ElasticConstants elastic_constants(const Lattice& lattice, const grains::Material& material) {
+    const double kn = material.modulus * lattice_radius;
+    return elastic_constants(lattice, kn, material.shear_ratio * kn);
 }
 
 /// `repeat` unit cells along each axis, the contacts overlapping by a hair so that all begin.
