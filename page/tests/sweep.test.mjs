@@ -100,6 +100,7 @@ test("a sweep is compared with a single run, whose number is a level", async () 
   await page.waitForSelector("#sweep-live .multiples svg");
   await page.selectOption("#sweep-other", "single");
   await page.waitForFunction(() => document.querySelector("#sweep-live .legend")?.textContent.includes("single"));
+  assert.match(await page.textContent("#sweep-live caption"), /single has no sample with these values/);
   assert.match(await page.locator("#sweep-live .multiples .more1").first().getAttribute("d"), /^M56 [\d.]+H\d+$/);
   assert.deepEqual(complaints, []);
   await context.close();

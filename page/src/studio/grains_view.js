@@ -44,7 +44,7 @@ export class GrainsView {
       const pictures = (await get(`${runPath(run)}/pictures`)).result;
       this.offer(pictures.map((picture) => picture.file));
       const wanted = pictures.find((picture) => picture.file === this.select.value) ?? pictures[0];
-      if (!wanted) return say('No grains are saved yet. Stages save them at their end, and with [output] snapshots = { every = "1 %" } while they strain.');
+      if (!wanted) return say('No grains are saved yet. Stages save them at their end where formats under [output] has "vtp", and while they strain with snapshots = { every = "1 %" }.');
       const key = `${wanted.file} ${wanted.at}`;
       if (key === this.shown) return undefined;
       const response = await fetch(`/runs/${encodeURIComponent(run)}/${wanted.file.split("/").map(encodeURIComponent).join("/")}`);

@@ -102,13 +102,15 @@ export function table(run, numbers, units, state, other = null) {
   const keys = [...new Set(run.samples.flatMap((sample) => sample.values.map(([key]) => key)))], hasSeeds = run.samples.some((sample) => sample.replicate !== "1");
   const studies = new Set(run.samples.map((sample) => sample.study)).size > 1;
   const twins = new Map((other?.samples ?? []).map((sample) => [`${keyOf(sample)} ${sample.replicate}`, sample]));
+  const hasTwins = run.samples.some((sample) => twins.has(`${keyOf(sample)} ${sample.replicate}`));
+  const about = !other ? "" : hasTwins ? ` Small numbers: ${other.name}, at the same values.` : ` ${other.name} has no sample with these values; the charts show it.`;
   const shown = (value, number) => (Number.isFinite(value) ? three(inUnit(value, units(number))[0]) : "–");
   const cell = (sample, number) => {
     const twin = twins.get(`${keyOf(sample)} ${sample.replicate}`);
     return `<td class="n">${shown(run.measure(sample, number), number)}${twin ? `<small>${shown(other.measure(twin, number), number)}</small>` : ""}</td>`;
   };
   const heads = [...(studies ? ["study"] : []), ...keys.map(keyName), ...(hasSeeds ? ["replicate"] : [])];
-  return `<table><caption>${run.samples.filter((sample) => Number.isFinite(numbers.length ? run.measure(sample, numbers[0]) : NaN)).length} of ${run.samples.length} samples have come in.${other ? ` Small numbers: ${escaped(other.name)}, at the same values.` : ""}</caption><thead><tr>${heads.map((head) => `<th scope="col">${escaped(head)}</th>`).join("")}${numbers.map((number) => `<th scope="col" class="n">${escaped(title(number, units))}</th>`).join("")}<th scope="col">state</th></tr></thead><tbody>${run.samples.map((sample) => {
+  return `<table><caption>${run.samples.filter((sample) => Number.isFinite(numbers.length ? run.measure(sample, numbers[0]) : NaN)).length} of ${run.samples.length} samples have come in.${escaped(about)}</caption><thead><tr>${heads.map((head) => `<th scope="col">${escaped(head)}</th>`).join("")}${numbers.map((number) => `<th scope="col" class="n">${escaped(title(number, units))}</th>`).join("")}<th scope="col">state</th></tr></thead><tbody>${run.samples.map((sample) => {
     const [kind, text] = state(sample), values = new Map(sample.values);
     const cells = [...(studies ? [sample.study] : []), ...keys.map((key) => values.get(key) ?? ""), ...(hasSeeds ? [sample.replicate] : [])];
     return `<tr>${cells.map((value) => `<td>${escaped(value)}</td>`).join("")}${numbers.map((number) => cell(sample, number)).join("")}<td class="${kind}">${escaped(text)}</td></tr>`;
