@@ -47,6 +47,7 @@ struct Pace {
     Quantity damping;
     std::string mode;
     CallableOrNone on_progress;
+    flow::Fluid fluid = {}; ///< of an undrained test
 };
 
 py::dict run_test(Stepping& call, triaxial::TriaxialSpec spec, const Pace& pace) {
@@ -61,8 +62,13 @@ py::dict run_test(Stepping& call, triaxial::TriaxialSpec spec, const Pace& pace)
     dem::World& world = begin(call);
     {
         const Working working;
+        std::optional<triaxial::PoreFluid> fluid;
+        if (pace.fluid.bulk_modulus && spec.path == triaxial::Path::Undrained) {
+            const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
+            fluid = {*pace.fluid.bulk_modulus, triaxial::measure_skeleton_modulus(world, given_damping, pulse)};
+        }
         const Loan loan(call, state);
-        state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world));
+        state = triaxial::begin_path(world, spec, dem::mean_stress_tensor(world), fluid);
         for (bool over = false; !over;) {
             over = triaxial::path_burst(world, call.caches(), spec, {}, given_damping, given_mode, state);
             call.remember_place();
@@ -75,6 +81,9 @@ py::dict run_test(Stepping& call, triaxial::TriaxialSpec spec, const Pace& pace)
         result["response"] = triaxial::summarize(state.rows, spec);
     }
     result["curve"] = state.rows;
+    if (spec.path == triaxial::Path::Undrained) {
+        result["skempton_b"] = state.skempton_b;
+    }
     result["steps"] = state.steps;
     result["strain_rate"] = state.strain_rate;
     result["median_diameter"] = state.median_diameter;
@@ -86,7 +95,7 @@ py::dict run_triaxial(
     const QuantityOrNone& b, const QuantityOrNone& strain_ratio, const QuantityOrNone& deviator_stress,
     const QuantityOrNone& stress_ratio, const Quantity& inertial_number, const std::string& inertia,
     const QuantityOrNone& time_step, int rows, const Quantity& damping, const std::string& mode,
-    const CallableOrNone& on_progress
+    const CallableOrNone& on_progress, const flow::Fluid& fluid
 ) {
     Stepping call(w);
     triaxial::TriaxialSpec spec;
@@ -98,7 +107,7 @@ py::dict run_triaxial(
     spec.strain_ratio = optional_value_of(key("strain_ratio"), strain_ratio, "strain_ratio");
     spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
     spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
-    return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress});
+    return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress, fluid});
 }
 
 /// `Spec` is that of the oedometer or of isotropic compression.
@@ -149,9 +158,9 @@ py::dict run_shear(
 
 py::dict run_cyclic(
     WorldHandle& w, const QuantityOrNone& csr, const QuantityOrNone& strain_amplitude, const std::string& drainage,
-    int cycles, const Quantity& pore_pressure_ratio, const Quantity& double_amplitude, const Quantity& inertial_number,
-    const std::string& inertia, const QuantityOrNone& time_step, int rows, const Quantity& damping,
-    const std::string& mode, const CallableOrNone& on_progress
+    int cycles, const Quantity& pore_pressure_ratio, const Quantity& double_amplitude, const flow::Fluid& fluid,
+    const Quantity& inertial_number, const std::string& inertia, const QuantityOrNone& time_step, int rows,
+    const Quantity& damping, const std::string& mode, const CallableOrNone& on_progress
 ) {
     Stepping call(w);
     triaxial::CyclicSpec spec;
@@ -165,7 +174,7 @@ py::dict run_cyclic(
         value_of(until("pore_pressure_ratio"), pore_pressure_ratio, "pore_pressure_ratio");
     spec.cycles->double_amplitude = value_of(until("double_amplitude"), double_amplitude, "double_amplitude");
     spec.strain = spec.cycles->double_amplitude;
-    return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress});
+    return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress, fluid});
 }
 
 py::list run_stress_probe(
@@ -231,6 +240,7 @@ void bind_triaxial(WorldClass& type) {
         py::arg("stress_ratio") = py::none(), py::arg("inertial_number") = triaxial::TriaxialSpec{}.inertial_number,
         py::arg("inertia") = "lent", py::arg("time_step") = py::none(), py::arg("rows") = triaxial::TriaxialSpec{}.rows,
         py::arg("damping") = dem::usual_damping, py::arg("mode") = usual_mode, py::arg("on_progress") = py::none(),
+        py::arg_v("fluid", flow::Fluid{}, "Fluid()"),
         with_keys(
             "Compresses or extends along z, as a stage that does \"triaxial\". Returns a dictionary: `curve`, "
             "`response`, "
@@ -244,7 +254,10 @@ void bind_triaxial(WorldClass& type) {
             "instability (p, q, strain), liquefied, energy [J/m3]; None if the test does not determine it\n"
             "time_step: computed unless given\nrows: of the curve\n"
             "mode: \"reference\", or \"fast\": contact law and memory in single precision\n"
-            "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
+            "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work\n"
+            "fluid: of an undrained test; with its bulk_modulus the volume follows the pore pressure, and the "
+            "dictionary "
+            "has Skempton's B as skempton_b",
             {{"stage.triaxial", "strain"},
              {"stage.triaxial", "path"},
              {"stage.triaxial", "direction"},
@@ -308,17 +321,18 @@ void bind_other_tests(WorldClass& type) {
     def_test(
         "cyclic", &run_cyclic,
         with_keys(
-            "Loads to and fro along z." + of_test, {{"stage.cyclic", "csr"},
-                                                    {"stage.cyclic", "strain_amplitude"},
-                                                    {"stage.cyclic", "drainage"},
-                                                    {"stage.cyclic", "cycles"},
-                                                    {"stage.cyclic.until", "pore_pressure_ratio"},
-                                                    {"stage.cyclic.until", "double_amplitude"}}
+            "Loads to and fro along z." + of_test + "fluid: as for `triaxial`\n",
+            {{"stage.cyclic", "csr"},
+             {"stage.cyclic", "strain_amplitude"},
+             {"stage.cyclic", "drainage"},
+             {"stage.cyclic", "cycles"},
+             {"stage.cyclic.until", "pore_pressure_ratio"},
+             {"stage.cyclic.until", "double_amplitude"}}
         ),
         py::kw_only(), py::arg("csr") = py::none(), py::arg("strain_amplitude") = py::none(),
         py::arg("drainage") = "undrained", py::arg("cycles") = cycles.number,
         py::arg("pore_pressure_ratio") = cycles.pore_pressure_ratio,
-        py::arg("double_amplitude") = cycles.double_amplitude
+        py::arg("double_amplitude") = cycles.double_amplitude, py::arg_v("fluid", flow::Fluid{}, "Fluid()")
     );
 }
 

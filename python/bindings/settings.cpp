@@ -38,6 +38,18 @@ void quantity_field(py::class_<Spec>& type, const char* table, const char* name,
 }
 
 template <class Spec>
+void quantity_field(py::class_<Spec>& type, const char* table, const char* name, std::optional<double> Spec::*field) {
+    const Key& key = key_of(table, name);
+    type.def_property(
+        name, [field](const Spec& spec) { return spec.*field; },
+        [field, name, &key](Spec& spec, const QuantityOrNone& value) {
+            spec.*field = optional_value_of(key, value, name);
+        },
+        key_doc(key).c_str()
+    );
+}
+
+template <class Spec>
 Spec from_fields(const py::dict& given, const std::vector<const char*>& fields) {
     py::object made = py::cast(Spec{});
     for (const auto& [name, value] : given) {
@@ -143,6 +155,7 @@ void bind_fluid(py::module_& m) {
     py::class_<Fluid> type(m, "Fluid", "The pore fluid; keywords set fields.");
     quantity_field(type, "fluid", "density", &Fluid::density);
     quantity_field(type, "fluid", "viscosity", &Fluid::viscosity);
+    quantity_field(type, "fluid", "bulk_modulus", &Fluid::bulk_modulus);
     const Key& conductance = key_of("fluid", "conductance");
     type.def_property(
         "conductance",
@@ -152,7 +165,7 @@ void bind_fluid(py::module_& m) {
         },
         key_doc(conductance).c_str()
     );
-    make_value(type, {"density", "viscosity", "conductance"});
+    make_value(type, {"density", "viscosity", "conductance", "bulk_modulus"});
 }
 
 void bind_balance(py::module_& m) {

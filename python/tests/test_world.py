@@ -338,6 +338,10 @@ def test_laboratory_tests_return_their_numbers_and_rows(settled):
     assert shear["rows"][-1]["shear_strain"] == pytest.approx(0.02, rel=0.1)
     cyclic = settled.copy().cyclic(csr=0.1, cycles=1, inertial_number=3e-3)
     assert cyclic["cycles"] == 1 and {row["cycle"] for row in cyclic["rows"]} == {0, 0.5}
+    assert cyclic["skempton_b"] == 1
+    soft = suffuse.Fluid(bulk_modulus="20 MPa")
+    cyclic = settled.copy().cyclic(csr=0.1, cycles=1, inertial_number=3e-3, fluid=soft)
+    assert 0.3 < cyclic["skempton_b"] < 0.9
     extended = settled.copy().triaxial("1 %", direction="extension", inertial_number=3e-3)
     assert extended["response"]["peak_deviator"] < 0
     for wrong in ({}, {"csr": 0.1, "strain_amplitude": "1 %"}):

@@ -134,6 +134,7 @@ patience = 100
 [fluid]
 density = "998 kg/m3"
 viscosity = "1.002e-3 Pa*s"
+bulk_modulus = "2.2 GPa"
 conductance = "yade"
 [soil.whole]
 psd = "data/sand.csv"

@@ -51,6 +51,12 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
     if (traits.has_water) {
         root.set("fluid", write("fluid", [&](Writer& v) { fluid_fields(v, copy); }));
     }
+    const triaxial::TriaxialSpec* const test = laboratory_test(stage.spec);
+    const bool has_pore_pressure = std::holds_alternative<triaxial::StiffnessSpec>(stage.spec) ||
+                                   (test != nullptr && test->path == triaxial::Path::Undrained);
+    if (copy.fluid.bulk_modulus && has_pore_pressure) {
+        root.set("fluid", write("fluid", [&](Writer& v) { v.field("bulk_modulus", copy.fluid.bulk_modulus); }));
+    }
     if (traits.probes_fines() && copy.gravity) {
         root.set("gravity", write("gravity", [&](Writer& v) { fields(v, *copy.gravity); }));
     }

@@ -53,6 +53,7 @@ template <class V>
 void fluid_fields(V& v, Case& c) {
     v.field("density", c.fluid.density);
     v.field("viscosity", c.fluid.viscosity);
+    v.field("bulk_modulus", c.fluid.bulk_modulus);
     if constexpr (V::reads) {
         c.names_conductance = !v.context().is_resolved || v.has("conductance");
         c.fluid.conductance = c.names_conductance ? c.fluid.conductance : flow::Conductance::Yade;

@@ -150,10 +150,10 @@ inline constexpr auto verbs = [] {
     return words;
 }();
 
-inline constexpr std::array<std::string_view, 14> measures = {
+inline constexpr std::array<std::string_view, 15> measures = {
     "void-ratios",  "active-fines",      "contact-classes", "strong-contacts", "stress-strain",
     "flow",         "permeability",      "stress",          "constrictions",   "coordination-of-eroded",
-    "coordination", "volumetric-strain", "grading",         "porosity"};
+    "coordination", "volumetric-strain", "grading",         "porosity",        "skempton-b"};
 
 /// Verbs that a measure belongs to; empty: what every state has.
 inline std::vector<std::string> verbs_of_measure(std::string_view measure) {

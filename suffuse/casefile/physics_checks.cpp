@@ -258,6 +258,18 @@ public:
         );
     }
 
+    /// Skempton's B is that of a fluid.
+    void check_fluid(const Stage& stage) {
+        if (std::ranges::count(stage.measure, "skempton-b") > 0 && !settings_.fluid.bulk_modulus) {
+            context_.problems.error(
+                "E207", stage_place(stage, "measure"),
+                fmt::format("stage \"{}\" measures Skempton's B, and [fluid] has no `bulk_modulus`", stage.name),
+                "give it, as bulk_modulus = \"2.2 GPa\" of pure water; without it the fluid is incompressible, and B "
+                "is 1"
+            );
+        }
+    }
+
     /// A probe has one flow, and `resolve` requires it on a grid.
     void check_solver(const Stage& stage, const flow::SolverChoice& how) {
         const Place place = stage_place(stage, "solver");
@@ -396,6 +408,7 @@ void check_stage(Checks& checks, const Stage& stage) {
     if (weighs_fines(stage)) {
         checks.check_fines_left(stage);
     }
+    checks.check_fluid(stage);
     checks.check_start(stage);
 }
 

@@ -33,6 +33,14 @@ TEST(PhysicsChecks, StressesOfOtherStagesAreCheckedToo) {
     );
 }
 
+TEST(PhysicsChecks, SkemptonsBNeedsTheStiffnessOfTheFluid) {
+    const std::string stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"stiffness\"\nmeasure = [\"skempton-b\"]\n";
+    const Diagnostic found = find_problem(problems_of(good_case + stage), "E207");
+    EXPECT_EQ(found.line, 18);
+    EXPECT_NE(found.help.find("2.2 GPa"), std::string::npos);
+    EXPECT_EQ(problems_of(good_case + stage + "[fluid]\nbulk_modulus = \"2.2 GPa\"\n").size(), 0U);
+}
+
 TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\ndo = \"flow\"\n";
     EXPECT_EQ(problems_of(head + "gradient = 0.9\n").size(), 0U);

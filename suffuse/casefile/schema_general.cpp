@@ -122,6 +122,12 @@ std::vector<Key> balance_rows() {
         count("balance", "patience", from_one, "Steps in a row for which both hold before a stage counts as settled."),
         quantity("fluid", "density", dimension::density, above_zero, "Density of the pore fluid."),
         quantity("fluid", "viscosity", dimension::viscosity, above_zero, "Dynamic viscosity of the pore fluid."),
+        quantity(
+            "fluid", "bulk_modulus", dimension::pressure, above_zero,
+            "Of undrained tests: how far the fluid in the voids can be compressed; 2.2 GPa for pure water, less with "
+            "air "
+            "in it. Without it the fluid is incompressible, and Skempton's B is 1."
+        ),
         choice(
             "fluid", "conductance", names::words_of(names::conductance),
             "Law of the pore network's throats and of the forces on grains. bounded: within 12 % of the resolved flow "

@@ -23,7 +23,8 @@ std::vector<Key> common_rows() {
             "stage", "measure", names::words_of(names::measures),
             "What to gather under `measured` in stage.json: numbers that the stage reports anyway, and permeability, "
             "constrictions and grading of its end state, which are measured only on request. stress-strain belongs to "
-            "triaxial and plane-strain, flow to flow and erode, coordination-of-eroded to erode and remove, "
+            "triaxial and plane-strain, skempton-b to triaxial, cyclic and stiffness, flow to flow and erode, "
+            "coordination-of-eroded to erode and remove, "
             "volumetric-strain to what "
             "strains the cell."
         )),

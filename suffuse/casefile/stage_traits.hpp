@@ -63,7 +63,7 @@ inline constexpr std::tuple stage_rows{
         {.verb = "settle", .ends_balanced = true, .keeps_path = true, .measures = {"volumetric-strain"}}},
     // Whether it ends balanced and keeps its path follows from where it stops.
     TraitsOf<triaxial::TriaxialSpec>{
-        {.verb = "triaxial", .needs = Needs::Stress, .measures = {"stress-strain", "volumetric-strain"}}},
+        {.verb = "triaxial", .needs = Needs::Stress, .measures = {"stress-strain", "volumetric-strain", "skempton-b"}}},
     TraitsOf<triaxial::StressProbeSpec>{
         {.verb = "stress-probe", .needs = Needs::Stress, .only_looks = true, .keeps_path = true}},
     TraitsOf<dem::AdvanceSpec>{{.verb = "advance", .measures = {"volumetric-strain"}}},
@@ -100,7 +100,8 @@ inline constexpr std::tuple stage_rows{
     TraitsOf<triaxial::PlaneStrainSpec>{
         {.verb = "plane-strain", .needs = Needs::Stress, .measures = {"stress-strain", "volumetric-strain"}}},
     TraitsOf<triaxial::ShearSpec>{{.verb = "shear", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
-    TraitsOf<triaxial::CyclicSpec>{{.verb = "cyclic", .needs = Needs::Stress, .measures = {"volumetric-strain"}}},
+    TraitsOf<triaxial::CyclicSpec>{
+        {.verb = "cyclic", .needs = Needs::Stress, .measures = {"volumetric-strain", "skempton-b"}}},
     TraitsOf<erosion::MigrateSpec>{
         {.verb = "migrate",
          .needs = Needs::Contacts,
@@ -109,7 +110,11 @@ inline constexpr std::tuple stage_rows{
          .loses_grains = true,
          .keeps_path = true}},
     TraitsOf<triaxial::StiffnessSpec>{
-        {.verb = "stiffness", .needs = Needs::Stress, .only_looks = true, .keeps_path = true}},
+        {.verb = "stiffness",
+         .needs = Needs::Stress,
+         .only_looks = true,
+         .keeps_path = true,
+         .measures = {"skempton-b"}}},
 };
 
 namespace detail {

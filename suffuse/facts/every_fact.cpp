@@ -102,6 +102,10 @@ const std::vector<Fact> of_compact = {
 const std::vector<Fact> of_triaxial = {
     {"strain_rate", "1/s", "axial", ""},
     {"inertia", "", "`lent` or `own`: that of the grains during the test", ""},
+    {"skempton_b", "-",
+     "undrained triaxial and cyclic tests: Skempton's B, 1 without `bulk_modulus` of `[fluid]`; `stiffness`: only with "
+     "it",
+     ""},
 };
 
 const std::vector<Fact> of_rows = {

@@ -154,6 +154,10 @@ constexpr std::array guides = {
         "Path of effective stress, loops of stress and strain, and the pore-pressure ratio against cycles.",
         "`cyclic` stages"},
     Guide{
+        "own-cyclic-resistance", "cyclic resistance",
+        "Amplitude of the cyclic stress ratio against the cycles to liquefaction, a color a state.",
+        "two `cyclic` stages and more that liquefy"},
+    Guide{
         "own-stiffness", "small-strain stiffness",
         "Shear modulus against the mean stress, with the bound of grains that all move with the mean strain.",
         "`stiffness` stages"},

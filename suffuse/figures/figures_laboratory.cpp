@@ -107,6 +107,16 @@ double lateral_stress(const triaxial::TriaxialSpec& spec, const triaxial::PathRo
     return 0.5 * (trace(row.stress) - row.stress(spec.axis, spec.axis));
 }
 
+/// Of undrained tests; one fluid fills them all.
+std::string words_on_water(const std::vector<LaboratoryTest>& tests) {
+    const json b = tests.front().stage->numbers.value("skempton_b", json());
+    if (!b.is_number()) {
+        return "";
+    }
+    return b.get<double>() == 1 ? " Water is incompressible: Skempton's B is 1."
+                                : fmt::format(" Skempton's B is {}.", short_number(b.get<double>(), 3));
+}
+
 } // namespace
 
 std::optional<Figure> compression_curves(const std::vector<LaboratoryTest>& tests) {
@@ -157,6 +167,44 @@ std::optional<Figure> shear_curves(const std::vector<LaboratoryTest>& tests) {
     figure.caption =
         as_sentence(numbers_of(tests, {{"peak_stress_ratio", "highest τ/σₙ"}, {"final_stress_ratio", "at the end"}})) +
         " Tests hold the volume or the normal stress; the sides of the cell keep their lengths.";
+    return figure;
+}
+
+std::optional<Figure> cyclic_resistance(const std::vector<LaboratoryTest>& tests) {
+    std::vector<std::string> names;
+    std::vector<double> amplitudes, cycles;
+    for (const LaboratoryTest& test : tests) {
+        const std::optional<double> csr = casefile::laboratory_test(test.stage->stage->spec)->cycles->csr;
+        const json to_liquefaction = test.stage->numbers.value("cycles_to_liquefaction", json());
+        if (csr && to_liquefaction.is_number()) {
+            names.push_back(test.name);
+            amplitudes.push_back(*csr);
+            cycles.push_back(to_liquefaction.get<double>());
+        }
+    }
+    if (names.size() < 2) {
+        return std::nullopt;
+    }
+    const auto [fewest, most] = std::ranges::minmax(cycles);
+    Figure figure = figure_of(
+        "own-cyclic-resistance", "Cyclic resistance",
+        fmt::format("{} tests liquefy in {} to {} cycles", names.size(), short_number(fewest, 3), short_number(most, 3))
+    );
+    figure.table.add("state", std::move(names));
+    figure.table.add("cycles_to_liquefaction", "-", std::move(cycles));
+    figure.table.add("csr", "-", std::move(amplitudes));
+    figure.chart = panel("cycles_to_liquefaction", "cycles to liquefaction N", "csr", "cyclic stress ratio q/(2 p₀)");
+    figure.chart["height"] = 260;
+    figure.chart["mark"] = {{"type", "point"}, {"filled", true}, {"size", 70}, {"opacity", 0.7}};
+    figure.chart["encoding"]["x"]["scale"] = {{"type", "log"}, {"nice", false}, {"padding", 20}};
+    figure.chart["encoding"]["x"]["axis"] = {{"format", "~g"}};
+    figure.chart["encoding"]["y"]["scale"] = {{"zero", true}};
+    figure.chart["encoding"]["color"]["field"] = "state";
+    figure.chart["encoding"]["tooltip"][0]["field"] = "state";
+    figure.chart["encoding"].erase("order");
+    figure.caption =
+        "A point a test that liquefied, by the limits of its `until`; a color a state. Samples that differ in "
+        "their seed only scatter as much as the points of one state and amplitude.";
     return figure;
 }
 
@@ -273,7 +321,8 @@ std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests) {
                     {"double_amplitude", "largest double amplitude of ε₁"}}
         )) +
         " From above: path of effective stress, loops of stress and strain, pore pressure. The total lateral stress is "
-        "constant.";
+        "constant." +
+        words_on_water(tests);
     return figure;
 }
 

@@ -27,6 +27,10 @@ std::optional<Figure> shear_curves(const std::vector<LaboratoryTest>& tests);
 /// Of stages that do "cyclic".
 std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests);
 
+/// Amplitude of the cyclic stress ratio against the cycles to liquefaction, a color a name; nothing of fewer than two
+/// tests that liquefied. @param tests named by the state that they start from
+std::optional<Figure> cyclic_resistance(const std::vector<LaboratoryTest>& tests);
+
 /// Of stages that do "stiffness".
 std::optional<Figure> stiffness_points(const std::vector<LaboratoryTest>& tests);
 

@@ -19,6 +19,7 @@ struct Fluid {
     double density = 1000;   ///< [kg/m3]
     double viscosity = 1e-3; ///< [Pa s]
     Conductance conductance = Conductance::Bounded;
+    std::optional<double> bulk_modulus; ///< nothing: incompressible; of undrained tests, no flow depends on it [Pa]
 };
 
 /// What solves the flow.

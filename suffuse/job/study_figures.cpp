@@ -231,6 +231,19 @@ void draw_tests(
     draw_paths(tests, std::move(single), figures);
 }
 
+/// All cyclic tests, named by the study and the state that they start from.
+std::vector<figures::LaboratoryTest> cyclic_tests_by_state(const study::RunResults& results) {
+    std::vector<figures::LaboratoryTest> tests;
+    for (const record::FinishedStage& stage : results.stages) {
+        if (std::holds_alternative<triaxial::CyclicSpec>(stage.stage->spec) && stage.stage->parent >= 0) {
+            const std::string& state = stage.variant->stages[static_cast<std::size_t>(stage.stage->parent)].name;
+            const bool is_only = results.what->studies.size() == 1;
+            tests.push_back({is_only ? state : stage.study->name + ", " + state, &stage});
+        }
+    }
+    return tests;
+}
+
 /// The other tests of a laboratory, each kind in its own figure.
 void draw_laboratory(const study::RunResults& results, std::vector<figures::Figure>& figures) {
     std::vector<figures::LaboratoryTest> compressed, sheared, cycled, probed;
@@ -259,6 +272,7 @@ void draw_laboratory(const study::RunResults& results, std::vector<figures::Figu
     add(figures::compression_curves(compressed), figures);
     add(figures::shear_curves(sheared), figures);
     add(figures::cyclic_curves(cycled), figures);
+    add(figures::cyclic_resistance(cyclic_tests_by_state(results)), figures);
     add(figures::stiffness_points(probed), figures);
 }
 

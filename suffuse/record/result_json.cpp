@@ -85,7 +85,7 @@ SUFFUSE_MEMBERS_OR_DEFAULTS( // curves of earlier runs lack some
 )
 SUFFUSE_MEMBERS( // whole or not at all, as CompactState
     PathState, phase, leg, sense, turn, start_h, start_stress, strain_rate, pace, least_pace, median_diameter, lent,
-    time_step, known_contacts, balance, energy, steps, rows
+    time_step, known_contacts, balance, energy, steps, storage, skempton_b, water_rate, rows
 )
 
 SUFFUSE_MEMBERS(StressProbe, angle, stress, strain, second_order_work, normalized, answer, steps)

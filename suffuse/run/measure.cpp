@@ -39,17 +39,19 @@ std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::
 }
 
 std::string words_on_stiffness(const triaxial::Stiffness& stiffness, const triaxial::StiffnessSpec& spec) {
-    if (!stiffness.anisotropy) {
-        return "some small strain costs no work: the sample is not stable, and has no elastic moduli";
+    if (stiffness.nonlinearity > triaxial::elastic_within) {
+        return fmt::format(
+            "the moduli by a strain of {:.1e} and by half of it differ by {:.2g} % of the largest (at most {:.0f} %): "
+            "the "
+            "strain is outside the elastic range, or grains found another place during it; take a smaller increment, "
+            "or a "
+            "smaller unbalanced_force",
+            spec.increment, 100 * stiffness.nonlinearity, 100 * triaxial::elastic_within
+        );
     }
-    if (stiffness.nonlinearity <= triaxial::elastic_within) {
-        return "";
-    }
-    return fmt::format(
-        "the moduli by a strain of {:.1e} and by half of it differ by {:.2g} % of the largest (at most {:.0f} %): the "
-        "strain is outside the elastic range; take a smaller increment, or a smaller unbalanced_force",
-        spec.increment, 100 * stiffness.nonlinearity, 100 * triaxial::elastic_within
-    );
+    return stiffness.anisotropy
+               ? ""
+               : "some small strain costs no work: the sample is not stable, and has no elastic moduli";
 }
 
 nlohmann::json measure_state(const dem::World& world, bool has_fractions) {

@@ -88,6 +88,7 @@ json measure(const std::string& group, const StageWork& work, const json& number
         {"stress", {"stress", "mean_stress", "deviator_stress"}},
         {"coordination", {"coordination", "mechanical_coordination", "backbone_coordination", "rattlers"}},
         {"porosity", {"porosity"}},
+        {"skempton-b", {"skempton_b"}},
     };
     static const std::map<std::string, std::function<json(const StageWork&)>> done = {
         {"permeability", permeability},

@@ -97,6 +97,16 @@ void note_overshoot(StageWork& work, const triaxial::TriaxialSpec& spec, const s
     }
 }
 
+/// What fills the voids of an undrained test, where the case says how far it can be compressed.
+std::optional<triaxial::PoreFluid> fluid_in(StageWork& work, const triaxial::TriaxialSpec& spec) {
+    if (!work.what.fluid.bulk_modulus || spec.path != triaxial::Path::Undrained) {
+        return std::nullopt;
+    }
+    const Pulse pulse = [&](std::string_view part, long long steps) { work.control.beat(part, steps); };
+    return triaxial::PoreFluid{
+        *work.what.fluid.bulk_modulus, triaxial::measure_skeleton_modulus(work.world, work.variant.damping, pulse)};
+}
+
 } // namespace
 
 void do_settle(StageWork& work, const dem::SettleSpec& spec) {
@@ -140,7 +150,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     triaxial::PathState state;
     if (work.resumed.is_null()) {
         dem::sort_along_curve(work.world);
-        state = triaxial::begin_path(work.world, spec, dem::mean_stress_tensor(work.world));
+        state = triaxial::begin_path(work.world, spec, dem::mean_stress_tensor(work.world), fluid_in(work, spec));
     } else {
         state = work.resumed.get<triaxial::PathState>();
     }
@@ -161,6 +171,9 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
     work.time_step = state.time_step;
     work.numbers["steps"] = state.steps;
     work.numbers["strain_rate"] = state.strain_rate;
+    if (spec.path == triaxial::Path::Undrained) {
+        work.numbers["skempton_b"] = state.skempton_b;
+    }
     work.numbers["inertia"] = triaxial::lent_during(spec, work.world.material).mass ? "lent" : "own";
     const triaxial::Response response = triaxial::summarize(state.rows, spec);
     if (response.lost_at) {
@@ -235,6 +248,10 @@ void do_stiffness(StageWork& work, const triaxial::StiffnessSpec& spec) {
     work.numbers["steps"] = steps;
     const triaxial::Stiffness stiffness = triaxial::stiffness_of(state, probes);
     record::put_facts(work.numbers, facts::stiffness, stiffness);
+    if (const std::optional<double> fluid = work.what.fluid.bulk_modulus) {
+        const double porosity = dem::porosity(work.world);
+        work.numbers["skempton_b"] = triaxial::skempton_b(porosity, {*fluid, stiffness.bulk_modulus});
+    }
     if (const std::string words = words_on_stiffness(stiffness, spec); !words.empty()) {
         work.flaws.push_back(work.place() + ": " + words);
     }

@@ -8,7 +8,6 @@
 namespace suffuse::triaxial {
 namespace {
 
-constexpr double fastest_held = 2;    // rate of an axis whose stress is held, at most, over the axial rate [-]
 constexpr double servo_response = 25; // steps; a sample at constant deviator needs the usual ones
 
 /// All stresses held, the lateral ones alike.
@@ -74,7 +73,7 @@ cell::Loading loading_of(const TriaxialSpec& spec, const PathState& state) {
     cell::AxisControl axial{Control::StrainRate, rate}, lateral;
     bool each_for_itself = false;
     if (const std::optional<double> ratio = imposed_strain_ratio(spec)) {
-        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * rate};
+        lateral = {Control::StrainRate, -0.5 * (1 - *ratio) * rate + 0.5 * state.water_rate};
     } else if (spec.path == Path::ConstantMean) {
         lateral = {Control::MeanStress, dem::mean_stress(start)};
     } else if (spec.path == Path::ConstantDeviator) {

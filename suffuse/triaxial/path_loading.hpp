@@ -7,6 +7,9 @@
 
 namespace suffuse::triaxial {
 
+/// Rate of an axis whose stress is held, or of the volume that follows water, at most, over the axial rate [-].
+inline constexpr double fastest_held = 2;
+
 /// Mean of the stresses across the axis, and q: the axial stress less that [Pa].
 double lateral_mean(const Mat3& stress, int axis);
 double deviator(const Mat3& stress, int axis);

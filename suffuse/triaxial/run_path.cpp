@@ -123,6 +123,18 @@ double excess_pore_pressure(const TriaxialSpec& spec, const Mat3& start, const M
     return holds_total_stress ? lateral_mean(start, spec.axis) - lateral_mean(now, spec.axis) : 0;
 }
 
+/// The volume follows what the pore pressure compresses of the water. The skeleton answers a strain with less pore
+/// pressure, so a burst closes the share B of what is missing: then it is closed but for the skeleton's anisotropy.
+void compress_water(const dem::World& world, const TriaxialSpec& spec, PathState& state) {
+    if (state.storage > 0) {
+        const double pressure = excess_pore_pressure(spec, state.start_stress, state.balance.stress);
+        const double missing = state.storage * pressure - cell::volumetric_strain(state.start_h, world.cell.h);
+        const double most = fastest_held * state.strain_rate;
+        const double rate = state.skempton_b * missing / (static_cast<double>(dem::burst_steps) * state.time_step);
+        state.water_rate = std::clamp(rate, -most, most);
+    }
+}
+
 PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const PathState& state) {
     const Mat3& stress = state.balance.stress;
     PathRow row;
@@ -244,7 +256,8 @@ bool has_liquefied(const TriaxialSpec& spec, const PathState& state, const PathR
            std::abs(row.axial_strain - state.turn.axial_strain) >= spec.cycles->double_amplitude;
 }
 
-PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress) {
+PathState
+begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, const std::optional<PoreFluid>& fluid) {
     check_spec(spec);
     const double pressure = dem::require_pressure(stress, "a triaxial test needs a sample");
     const double q = deviator(stress, spec.axis);
@@ -260,6 +273,11 @@ PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& st
     state.start_stress = stress;
     state.balance.stress = stress;
     state.median_diameter = grains::median_diameter(world.grains);
+    if (fluid && spec.path == Path::Undrained) {
+        const double porosity = dem::porosity(world);
+        state.storage = porosity / fluid->bulk_modulus;
+        state.skempton_b = skempton_b(porosity, *fluid);
+    }
     state.strain_rate = strain_rate_of(spec, world.material, state.median_diameter, pressure);
     state.sense = sense_of_leg(spec, 0, stress);
     state.pace = cell::holds_stress(loading_of(spec, state)) ? first_pace : 1;
@@ -284,6 +302,7 @@ bool path_burst(
         ease_to_target(world, spec, 1, std::numeric_limits<double>::infinity(), *target, state);
     }
     const bool settling = state.phase == PathState::Phase::Settle;
+    compress_water(world, spec, state);
     dem::StepPlan plan;
     plan.dt = state.time_step;
     plan.damping = damping;

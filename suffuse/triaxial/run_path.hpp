@@ -4,6 +4,7 @@
 #include "suffuse/dem/energy.hpp"
 #include "suffuse/dem/lent_inertia.hpp"
 #include "suffuse/dem/settle.hpp"
+#include "suffuse/triaxial/pore_fluid.hpp"
 #include "suffuse/triaxial/spec.hpp"
 
 #include <optional>
@@ -52,6 +53,9 @@ struct PathState {
     dem::BalanceState balance;
     dem::EnergyBalance energy; ///< of the shear, until the sample is left to rest
     std::int64_t steps = 0;
+    double storage = 0;    ///< undrained: volumetric strain over the pore pressure that it needs; 0: none [1/Pa]
+    double skempton_b = 1; ///< [-]
+    double water_rate = 0; ///< of volumetric strain in this burst [1/s]
     std::vector<PathRow> rows;
 };
 
@@ -76,10 +80,12 @@ double shear_stress(const TriaxialSpec& spec, const Mat3& stress);
 bool has_liquefied(const TriaxialSpec& spec, const PathState& state, const PathRow& row);
 
 /// Lends the grains what inertia the test may lend; its last burst of shear takes it back.
-/// @param stress of the state that the test starts from [Pa]
+/// @param stress of the state that the test starts from [Pa]; @param fluid of an undrained test; nothing: the fluid is
+/// incompressible
 /// @throws StateError when the sample carries none, or no deviator stress to hold; CaseError when strain, inertial
 /// number or rows are not above zero, or keys do not belong to the path.
-PathState begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress);
+PathState
+begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, const std::optional<PoreFluid>& fluid = {});
 
 /// One burst of steps; appends a row when the strain has grown by the specified interval. @return whether the test is
 /// over.

@@ -14,15 +14,16 @@ std::string stage(const std::string& name, const std::string& keys) {
     return "[[study.s.stage]]\nname = \"" + name + "\"\nfrom = \"settled\"\ninertial_number = 4e-3\n" + keys;
 }
 
-/// Each test once, from one state.
+/// Each test once, from one state; the constants end with those of the fluid.
 std::string laboratory() {
-    return reference_constants + reference_soil() + study_of_packing("packing500") +
+    return reference_constants + "bulk_modulus = \"2.2 GPa\"\n" + reference_soil() + study_of_packing("packing500") +
            stage("extended", "do = \"triaxial\"\ndirection = \"extension\"\nstrain = \"2 %\"\n") +
            stage("one-dimensional", "do = \"oedometer\"\nstresses = [\"300 kPa\", \"100 kPa\"]\n") +
            stage("all-around", "do = \"isotropic\"\nstresses = [\"300 kPa\", \"100 kPa\", \"200 kPa\"]\n") +
            stage("plane", "do = \"plane-strain\"\nstrain = \"2 %\"\n") +
            stage("sheared", "do = \"shear\"\nhold = \"stress\"\nstrain = \"3 %\"\n") +
-           "[[study.s.stage]]\nname = \"stiff\"\nfrom = \"settled\"\n" + "do = \"stiffness\"\n" +
+           "[[study.s.stage]]\nname = \"stiff\"\nfrom = \"settled\"\n" +
+           "do = \"stiffness\"\nmeasure = [\"skempton-b\"]\n" +
            stage("cycled", "do = \"cyclic\"\ncsr = 0.15\ncycles = 2\n");
 }
 
@@ -46,10 +47,14 @@ TEST(Laboratory, EachTestLeavesItsNumbersAndItsFigure) {
     EXPECT_EQ(cycled.at("cycles"), 2);
     EXPECT_TRUE(cycled.at("cycles_to_liquefaction").is_null());
     EXPECT_GT(cycled.at("rows").size(), 40U);
+    EXPECT_GT(cycled.at("skempton_b"), 0.95);
+    EXPECT_LT(cycled.at("skempton_b"), 1);
     const nlohmann::json stiff = stage_of(folder.path(), "stiff");
     EXPECT_TRUE(stiff.at("flaws").empty());
     EXPECT_LT(stiff.at("shear_modulus"), stiff.at("mean_field_shear"));
     EXPECT_EQ(stiff.at("stiffness").size(), 6U);
+    EXPECT_EQ(stiff.at("measured").at("skempton-b").at("skempton_b"), stiff.at("skempton_b"));
+    EXPECT_NEAR(stiff.at("skempton_b").get<double>(), cycled.at("skempton_b").get<double>(), 0.005);
     for (const char* id : {"own-triaxial", "own-compression", "own-shear", "own-cyclic", "own-stiffness"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / ("run/figures/" + std::string(id) + ".csv"))) << id;
     }
