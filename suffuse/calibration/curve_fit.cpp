@@ -22,7 +22,7 @@ struct CurveFit::Parts {
     VectorXd values;
     MatrixXd axes;
     VectorXd lambda;
-    double weight = 1;
+    double weight = 1, freedom = 1;
 };
 
 std::vector<Curve> correlated_errors(const Curve& deviations, const std::vector<int>& begins, double range) {
@@ -61,7 +61,7 @@ CurveFit::CurveFit(const CurveEmulator& emulator, Measurement measurement) {
     const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> solver(emulated, errors);
     auto parts = std::make_shared<Parts>(Parts{
         emulator, std::move(measurement.rows), Eigen::Map<VectorXd>(measurement.values.data(), n),
-        solver.eigenvectors(), solver.eigenvalues().cwiseMax(0.0), measurement.weight});
+        solver.eigenvectors(), solver.eigenvalues().cwiseMax(0.0), measurement.weight, emulator.degrees_of_freedom()});
     parts_ = std::move(parts);
 }
 
@@ -73,7 +73,9 @@ double CurveFit::log_likelihood(const Point& point) const {
     }
     const VectorXd along = parts_->axes.transpose() * residual;
     const VectorXd variances = (1 + predicted.variance * parts_->lambda.array()).matrix();
-    return -0.5 * parts_->weight * (along.array().square() / variances.array() + variances.array().log()).sum();
+    const double distance = (along.array().square() / variances.array()).sum(), freedom = parts_->freedom;
+    const double exponent = (freedom + static_cast<double>(along.size())) * std::log1p(distance / freedom);
+    return -0.5 * parts_->weight * (exponent + variances.array().log().sum());
 }
 
 } // namespace suffuse::calibration

@@ -24,8 +24,9 @@ public:
     /// @throws std::invalid_argument where sizes differ, or the covariance is not positive definite
     CurveFit(const CurveEmulator& emulator, Measurement measurement);
 
-    /// Of the measured values where the unknowns are `point`: normal, with the covariance of the errors plus that of
-    /// the emulator. Without the constant of the normal distribution, times the weight.
+    /// Of the measured values where the unknowns are `point`, with the covariance of the errors plus that of the
+    /// emulator. Student's t, for that covariance is itself estimated from the runs: values that no parameters reach
+    /// say less than they would by a normal law. Without the constant, times the weight.
     [[nodiscard]] double log_likelihood(const Point& point) const;
 
     struct Parts;

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double trend_variance = 1e4; // of each coefficient / scatter between runs: it is free to be anything
-constexpr double shrinkage = 0.15;     // of the covariance of rows to its diagonal: fewer runs than it has entries
+constexpr double runs_for_half = 10;   // the covariance of rows of so many runs is half shrunk to its diagonal
 
 VectorXd basis_of(const VectorXd& z, int degree) {
     std::vector<double> terms = {1.0};
@@ -97,6 +97,7 @@ Smoothness choose(const MatrixXd& points, const MatrixXd& curves, Trial& best) {
 MatrixXd covariance_of_rows(const Trial& trial) {
     const MatrixXd scaled = trial.variances.cwiseSqrt().cwiseInverse().asDiagonal() * trial.errors;
     const MatrixXd full = scaled.transpose() * scaled / static_cast<double>(scaled.rows());
+    const double shrinkage = runs_for_half / (runs_for_half + static_cast<double>(scaled.rows()));
     MatrixXd rows = (1 - shrinkage) * full;
     rows.diagonal() += shrinkage * full.diagonal();
     return rows;
@@ -178,6 +179,10 @@ Curve CurveEmulator::left_out_errors() const {
 
 int CurveEmulator::rows() const {
     return static_cast<int>(parts_->center.size());
+}
+
+double CurveEmulator::degrees_of_freedom() const {
+    return std::max(4.0, static_cast<double>(parts_->basis.rows() - parts_->basis.cols()));
 }
 
 } // namespace suffuse::calibration

@@ -34,6 +34,9 @@ public:
 
     [[nodiscard]] int rows() const;
 
+    /// Runs beyond the terms of the trend, at least 4: from so many follows the covariance of rows.
+    [[nodiscard]] double degrees_of_freedom() const;
+
     struct Parts;
 
     [[nodiscard]] const Parts& parts() const { return *parts_; } ///< emulator_parts.hpp

@@ -1,11 +1,13 @@
 #include "suffuse/calibration/feasibility.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace suffuse::calibration {
 namespace {
 
+constexpr double least = 0.2;  // a sample of other grains may succeed where these failed
 constexpr double reach = 0.15; // of the cube's side: a run speaks for its neighborhood
 
 /// Weight of the runs near `point`.
@@ -31,7 +33,7 @@ double Feasibility::chance(const Point& point) const {
         return 1;
     }
     const double good = 0.1 + nearby(succeeded_, point);
-    return good / (good + nearby(failed_, point));
+    return std::max(least, good / (good + nearby(failed_, point)));
 }
 
 } // namespace suffuse::calibration

@@ -12,7 +12,7 @@ class Feasibility {
 public:
     Feasibility(std::vector<Point> succeeded, std::vector<Point> failed);
 
-    /// 1 far from failures.
+    /// 1 far from failures, and at least 0.2.
     [[nodiscard]] double chance(const Point& point) const;
 
 private:

@@ -151,7 +151,7 @@ TEST_F(Calibrate, FindsTheParametersOfTheLawAndPredictsAHeldOutTest) {
     }
     EXPECT_LE(designs, 40);
     EXPECT_EQ(simulated, 2 * designs + 8);
-    EXPECT_LE(result.rounds.back().width, result.rounds.front().width);
+    EXPECT_LT(result.rounds.back().width, 0.1) << "a scatter of 3 % over ranges in which the curves change by a factor";
 }
 
 TEST_F(Calibrate, TakesFailedSamplesAsData) {
