@@ -158,7 +158,7 @@ def main():
                 failures += not is_open
     intervals = len(truths) * len(RANGES)
     least = math.ceil(intervals * 39 / 48)  # of twelve truths; 43 are expected
-    print(f"{covered} of {intervals} intervals cover their truth; at least {least} are asked for")
+    print(f"{covered} of {intervals} intervals cover their truth; at least {least} must")
     sys.exit(covered < least or failures > 0)
 
 
