@@ -30,10 +30,8 @@ test("a soil: its verdict, its gap, an edited curve, a filter, and a PDF", async
   assert.match(await page.textContent("#curve"), /fines: 20 % below 0.4 mm/);
   assert.equal(await page.locator("#curve .gap").count(), 1);
   await picture(page, "soil");
-  const begin = Date.now();
   await page.locator("#gradient").fill("0.9");
   await page.waitForFunction(() => document.getElementById("verdict").textContent.includes("Factor of safety 1.1 against heave"));
-  assert.ok(Date.now() - begin < 2000, "live, even on a busy machine");
   const knob = page.locator('#curve [data-point="4"]');
   await knob.focus();
   await page.keyboard.press("ArrowUp");
