@@ -32,7 +32,7 @@ double CurveKnowledge::log_likelihood(const Point& point) const {
         const Point own = own_point(known.target, point);
         sum += known.fit.log_likelihood(own) + std::log(known.feasibility.chance(own));
     }
-    return sum;
+    return sum / static_cast<double>(targets_.size());
 }
 
 double CurveKnowledge::uncertainty(const Point& point) const {

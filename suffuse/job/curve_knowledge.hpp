@@ -23,7 +23,8 @@ public:
     /// From all curves that there are. @throws StateError where a target has too few
     void learn(const std::vector<SampleCurve>& curves);
 
-    /// Of all fitted targets, and of samples that succeed.
+    /// Mean of the fitted targets, and of samples that succeed: errors of the emulators and of small samples are common
+    /// to all tests, which therefore count as one.
     [[nodiscard]] double log_likelihood(const calibration::Point& point) const;
 
     /// Deviation of the emulators over the scatter between samples.
