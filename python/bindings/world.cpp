@@ -16,6 +16,8 @@
 #include "python/bindings/contacts.hpp"
 #include "python/bindings/convert.hpp"
 #include "python/bindings/interpreter.hpp"
+#include "python/bindings/key_doc.hpp"
+#include "python/bindings/key_value.hpp"
 #include "python/bindings/typed.hpp"
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
