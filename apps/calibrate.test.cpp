@@ -73,6 +73,17 @@ TEST_F(CalibrateVerb, ShowsItsPriceAndRunsNothing) {
     EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
 }
 
+TEST_F(CalibrateVerb, IsCheckedAndPricedAsAnyCase) {
+    const ProgramResult checked = run_suffuse({"check", "case.toml", "--json"});
+    ASSERT_EQ(checked.code, 0) << checked.error;
+    EXPECT_EQ(checked.json().at("targets"), 1);
+    EXPECT_EQ(checked.json().at("unknowns"), 3);
+    EXPECT_EQ(run_suffuse({"check", "case.toml", "--set", "calibrate.samples=none"}).code, 3);
+    EXPECT_EQ(run_suffuse({"plan", "case.toml", "--json"}).json().at("samples"), 12);
+    std::filesystem::remove(folder / "t.csv");
+    EXPECT_NE(run_suffuse({"check", "case.toml"}).code, 0) << "its data are part of it";
+}
+
 TEST_F(CalibrateVerb, RefusesWhatItCannotUseBeforeAnythingIsMade) {
     test::write_to(folder / "t.csv", "axial strain [%],volumetric strain [%]\n0,0\n1,0.1\n");
     const ProgramResult lacks = run_suffuse({"calibrate", "case.toml", "-o", "r"});

@@ -176,6 +176,21 @@ bool is_calibration(const fs::path& folder) {
     return fs::exists(folder / calibration_case_file);
 }
 
+int check_calibration(const CalibrationJob& calibration, const Console& console) {
+    const casefile::CalibrationCase what =
+        casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
+    job::first_round(what); // which reads the files
+    const auto targets = std::ssize(what.spec.targets), unknowns = std::ssize(what.spec.unknowns);
+    console.result(fmt::format(
+        "{}: no errors; {}, {}; suffuse calibrate {} runs it", calibration.case_file, plural(targets, "target"),
+        plural(unknowns, "unknown"), shell_word(calibration.case_file)
+    ));
+    console.document(
+        json_text({{"case", calibration.case_file}, {"errors", 0}, {"targets", targets}, {"unknowns", unknowns}})
+    );
+    return Done;
+}
+
 int price_calibration(const CalibrationJob& calibration, const Console& console) {
     const casefile::CalibrationCase what =
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});

@@ -28,6 +28,9 @@ struct CalibrationJob {
     std::string command;                                         ///< as typed
 };
 
+/// Finds what is wrong with the case and with the files of its targets. @return the exit code; @throws what is wrong
+int check_calibration(const CalibrationJob& job, const Console& console);
+
 /// Shows what the samples cost, and runs nothing. @return the exit code
 int price_calibration(const CalibrationJob& job, const Console& console);
 

@@ -2,12 +2,14 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/render_within.hpp"
+#include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/casefile/weight_words.hpp"
 #include "suffuse/record/read_import.hpp"
 
 #include <fmt/format.h>
 
+#include "apps/conduct_calibration.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
@@ -35,6 +37,9 @@ struct CheckVerb final : Verb {
 
 int CheckVerb::act(const CommandLine&, const Console& console) const {
     const std::string file = case_in(given);
+    if (casefile::calibrates(file)) {
+        return check_calibration({.case_file = file, .overrides = changes.overrides}, console);
+    }
     const casefile::LoadedCase loaded = casefile::load_case(file, changes);
     std::int64_t variants = 0, stages = 0;
     for (const casefile::Study& study : loaded.value.studies) {

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/fit_memory.hpp"
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/conduct_calibration.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/shared_options.hpp"
@@ -216,6 +218,17 @@ plan::RunPlan plan_within_or_report(
 
 int PlanVerb::act(const CommandLine&, const Console& console) const {
     const std::string file = case_in(given);
+    if (casefile::calibrates(file)) {
+        threads.apply();
+        return price_calibration(
+            {.case_file = file,
+             .overrides = changes.overrides,
+             .cache = cache.folder_or(job::cache_next_to("runs/new")),
+             .cache_owners = cache.owners(),
+             .memory = memory.bytes()},
+            console
+        );
+    }
     const casefile::Case what = load_given_case(file, changes, console);
     plan::check_until(what, until);
     threads.apply();

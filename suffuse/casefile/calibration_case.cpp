@@ -112,6 +112,12 @@ Node study_node(const CalibrationCase& what, const CalibrationSample& sample) {
 
 } // namespace
 
+bool calibrates(const std::string& path) {
+    Problems problems; // load_calibration reports them
+    const auto root = read_toml(std::make_shared<Source>(Source{path, read_whole_file(path)}), problems);
+    return root && root->find("calibrate") != nullptr && root->find("study") == nullptr;
+}
+
 CalibrationCase load_calibration(const std::string& path, const LoadOptions& options) {
     Problems problems;
     CalibrationCase what;

@@ -20,6 +20,9 @@ struct CalibrationCase {
     std::string folder; ///< where its relative paths start
 };
 
+/// Whether the case has samples to calibrate, and no study to run.
+bool calibrates(const std::string& path);
+
 /// Only --preset and --set of `options` count. @throws CaseProblems with every problem of the case
 CalibrationCase load_calibration(const std::string& path, const LoadOptions& options = {});
 
