@@ -24,7 +24,7 @@ unlock
 
 # Other files lie there, too, or nothing could point to them.
 rm -rf "$source" && mkdir -p "$source"
-(cd "$root" && git ls-files -z -co --exclude-standard -- '*.md' ':!tools' 'docs/*' 'validation/*.svg' CITATION.cff tests/reference/planned_runs.csv |
+(cd "$root" && git ls-files -z -co --exclude-standard -- '*.md' ':!tools' 'docs/*' 'validation/*.svg' 'examples/*.svg' CITATION.cff tests/reference/planned_runs.csv |
     tar -c --null -T - | tar -x -C "$source")
 cp "$root"/tools/site/* "$source"
 PYTHONPATH=$build/python PYTHONDONTWRITEBYTECODE=1 /usr/bin/python3 "$source/python_reference.py" >"$source/python.md" ||
