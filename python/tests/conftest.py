@@ -100,3 +100,9 @@ watch = 100
 passes_constriction = {{ size = "none" }}
 """)
     return folder / "case.toml"
+
+
+@pytest.fixture
+def cloud():
+    radius = numpy.random.default_rng(1).uniform(0.2e-3, 0.6e-3, 100)
+    return suffuse.make_cloud(radius, porosity=0.65)

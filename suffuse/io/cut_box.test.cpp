@@ -47,9 +47,10 @@ TEST(CutBox, OfTwoGrainsThatOverlapAcrossAFaceTheSmallerIsLeftOut) {
     grains::add_grain(grains, {9.8, 5, 5}, 0.4, 2600);
     grains::add_grain(grains, {5, 5, 5}, 0.5, 2600);
     grains.velocity[2] = {1, 2, 3};
-    grains::Grains tolerant = grains;
+    grains::Grains tolerant = grains, strict = grains;
     const Box box{{0, 0, 0}, {10, 10, 10}};
     EXPECT_EQ(cut_box(grains, box, 1.4, "bed").across, 1U); // (0.5 + 0.4 - 0.3) / 0.4 = 1.5 is more
+    EXPECT_EQ(cut_box(strict, box, 0.1, "bed").across, 1U);
     ASSERT_EQ(grains.size(), 2U);
     EXPECT_EQ(grains.radius[0], 0.5);
     EXPECT_EQ(grains.velocity[1], (Vec3{1, 2, 3}));

@@ -74,7 +74,7 @@ class Sweeps(InAFolder):
         self.assertEqual((gathered["done"], gathered["unfinished"]), (2, []))
         self.assertEqual(studio.post(path + "/slurm").status, 409)
 
-    def test_tasks_are_written_and_gathered_by_whoever_may_start_runs_alone(self):
+    def test_slurm_scripts_and_results_need_the_cookie_and_a_run_of_the_folder(self):
         studio = self.studio()
         case = self.case(studio)
         secret = self.folder / "secret"
