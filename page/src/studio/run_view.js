@@ -2,12 +2,12 @@
 import { bytes, escaped, seconds, secondsRange, three, trouble } from "./words.js";
 import { get, post, runPath } from "./server.js";
 import { GrainsView } from "./grains_view.js";
+import { curveSoFar } from "./curve_so_far.js";
 import { lineChart, seriesChart } from "./line_chart.js";
 
 const names = {
   void_ratio: "void ratio", mean_stress: "mean stress [kPa]", deviator_stress: "deviator stress [kPa]", unbalanced_force: "unbalanced force", axial_strain: "axial strain",
 };
-const tests = new Set(["triaxial", "plane-strain", "oedometer", "cyclic", "stress-probe"]);
 const mobilityAxes = ["gradient i", "mass of the fines that moves [%]"];
 const pointOf = (row) => [row.gradient, 100 * row.mobile_mass_share];
 const nameOf = (key) => names[key] ?? key.replaceAll("_", " ");
@@ -138,11 +138,8 @@ export class RunView {
         parts.push(`<h3>${escaped(key)}: i = ${three(held[0])} is held</h3>`, seriesChart([{ points, dots: [...points, held] }], ...mobilityAxes, { width, least: 1 }));
         continue;
       }
-      if (states.length < 2) continue;
-      const isTest = tests.has(latest.verb);
-      const x = isTest ? "axial_strain" : "steps", y = isTest ? "deviator_stress" : "void_ratio";
-      if (latest[y] === undefined) continue;
-      parts.push(`<h3>${escaped(key)}</h3>`, lineChart(states.map((s) => [s[x], s[y] * (isTest ? 1e-3 : 1)]), nameOf(x), nameOf(y), { width }));
+      const { x, y, points } = curveSoFar(states), chart = lineChart(points, nameOf(x), nameOf(y), { width });
+      if (chart) parts.push(`<h3>${escaped(key)}</h3>`, chart);
     }
     for (const [key, numbers] of this.measured) {
       const rows = numbers?.mobility;
