@@ -137,6 +137,21 @@ TEST(Stiffness, DoesNotDependOnTheIncrementWithinTheElasticRange) {
     EXPECT_NEAR(found.bulk_modulus, small.bulk_modulus, 2e-3 * small.bulk_modulus);
 }
 
+// A blow that dies away within some bursts: what the twin bears of it is no answer to the strain.
+TEST(Stiffness, OfASampleThatStillCreepsIsThatOfOneAtRest) {
+    dem::World world = settled_sample();
+    dem::StepCaches caches;
+    dem::StepPlan blow = test::plan_of(4e-8, damping);
+    blow.loading.velocity_gradient = diagonal({-20, 10, 10});
+    test::advance(world, caches, blow, 50);
+    StiffnessSpec rested, restless;
+    rested.unbalanced_force = 1e-7;
+    restless.unbalanced_force = 0.1;
+    const Stiffness want = measure(world, rested), found = measure(world, restless);
+    EXPECT_NEAR(found.shear_modulus, want.shear_modulus, 1e-3 * want.shear_modulus);
+    EXPECT_NEAR(found.bulk_modulus, want.bulk_modulus, 1e-3 * want.bulk_modulus);
+}
+
 TEST(Stiffness, NeedsASampleThatCarriesAStressAndRests) {
     const dem::World apart = test::two_grains(1e-4, 1e-4, -1e-6, {});
     EXPECT_THROW((void)rest_for_strains(apart, {}, damping, {}), StateError);
