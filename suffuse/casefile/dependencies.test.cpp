@@ -49,4 +49,24 @@ TEST(Dependencies, OfAStageThatKeepsItsShearStressesAreThoseOfBeforeTheyCouldBeR
     EXPECT_NE(describe(), one);
 }
 
+TEST(Dependencies, OnlyATestWhoseVoidsAreFullAndClosedDependsOnTheStiffnessOfTheWater) {
+    Case compressible = load(full_case);
+    Variant variant = compressible.studies[0].variants[0];
+    Case incompressible = compressible;
+    compressible.fluid.bulk_modulus = 2.2e9, incompressible.fluid.bulk_modulus.reset();
+    Stage stage = variant.stages[0];
+    const auto depends = [&](const StageSpec& spec) {
+        stage.spec = spec;
+        return dependencies_of(compressible, variant, stage) != dependencies_of(incompressible, variant, stage);
+    };
+    triaxial::TriaxialSpec drained, undrained;
+    undrained.path = triaxial::Path::Undrained;
+    EXPECT_TRUE(depends(undrained));
+    EXPECT_TRUE(depends(triaxial::CyclicSpec{}));
+    EXPECT_TRUE(depends(triaxial::StiffnessSpec{}));
+    EXPECT_FALSE(depends(drained));
+    EXPECT_FALSE(depends(triaxial::OedometerSpec{}));
+    EXPECT_FALSE(depends(dem::SettleSpec{}));
+}
+
 } // namespace

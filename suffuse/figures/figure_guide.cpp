@@ -162,6 +162,10 @@ constexpr std::array guides = {
         "Shear modulus against the mean stress, with the bound of grains that all move with the mean strain.",
         "`stiffness` stages"},
     Guide{
+        "own-stiffness-strain", "stiffness against strain",
+        "Secant shear modulus against the logarithm of the shear strain, of small strains and of tests.",
+        "`stiffness` stages, and tests that load without a turn"},
+    Guide{
         "own-energy", "where the work of the tests goes",
         "Shares of the work that sliding and rolling contacts and damping take and that springs hold, a bar a test.",
         "`triaxial` stages"},

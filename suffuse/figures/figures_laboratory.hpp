@@ -1,7 +1,6 @@
 #pragma once
 // The figures that laboratories draw of tests other than triaxial compression: e against log stress, stress ratio
-// against shear strain, and the loops, the path and the pore pressure of cycles, shear modulus against mean stress.
-// Inputs are SI.
+// against shear strain, and the loops, the path and the pore pressure of cycles. Inputs are SI.
 
 #include "suffuse/figures/figure.hpp"
 #include "suffuse/record/finished_stage.hpp"
@@ -30,8 +29,5 @@ std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests);
 /// Amplitude of the cyclic stress ratio against the cycles to liquefaction, a color a name; nothing of fewer than two
 /// tests that liquefied. @param tests named by the state that they start from
 std::optional<Figure> cyclic_resistance(const std::vector<LaboratoryTest>& tests);
-
-/// Of stages that do "stiffness".
-std::optional<Figure> stiffness_points(const std::vector<LaboratoryTest>& tests);
 
 } // namespace suffuse::figures

@@ -3,6 +3,7 @@
 #include "suffuse/figures/figures_energy.hpp"
 #include "suffuse/figures/figures_fines.hpp"
 #include "suffuse/figures/figures_laboratory.hpp"
+#include "suffuse/figures/figures_stiffness.hpp"
 #include "suffuse/figures/figures_strength.hpp"
 #include "suffuse/figures/figures_sweep.hpp"
 #include "suffuse/figures/stress_probes.hpp"
@@ -11,6 +12,7 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
 #include "suffuse/study/trace_curves.hpp"
+#include "suffuse/triaxial/path_loading.hpp"
 
 #include <fmt/format.h>
 
@@ -62,6 +64,12 @@ bool holds_deviator(const casefile::Stage& stage) {
 bool is_compression(const casefile::Stage& stage) {
     return std::holds_alternative<triaxial::TriaxialSpec>(stage.spec) ||
            std::holds_alternative<triaxial::PlaneStrainSpec>(stage.spec);
+}
+
+/// Whether its load grows from the first row to the last, in a plane in which strains are known.
+bool has_secant_modulus(const triaxial::TriaxialSpec& spec) {
+    const bool turns = spec.cycles || !spec.stresses.empty() || spec.path == triaxial::Path::ConstantDeviator;
+    return !turns && (is_axisymmetric(spec) || shears(spec.path));
 }
 
 /// All tests of the run, in the order of stages and of sweep values.
@@ -246,7 +254,7 @@ std::vector<figures::LaboratoryTest> cyclic_tests_by_state(const study::RunResul
 
 /// The other tests of a laboratory, each kind in its own figure.
 void draw_laboratory(const study::RunResults& results, std::vector<figures::Figure>& figures) {
-    std::vector<figures::LaboratoryTest> compressed, sheared, cycled, probed;
+    std::vector<figures::LaboratoryTest> compressed, sheared, cycled, probed, loaded;
     for (const record::FinishedStage& stage : results.stages) {
         const auto add_to = [&](std::vector<figures::LaboratoryTest>& kind) {
             if (kind.size() < most_tests) {
@@ -268,12 +276,16 @@ void draw_laboratory(const study::RunResults& results, std::vector<figures::Figu
         if (kind != nullptr) {
             add_to(*kind);
         }
+        if (has_secant_modulus(*spec)) {
+            add_to(loaded);
+        }
     }
     add(figures::compression_curves(compressed), figures);
     add(figures::shear_curves(sheared), figures);
     add(figures::cyclic_curves(cycled), figures);
     add(figures::cyclic_resistance(cyclic_tests_by_state(results)), figures);
     add(figures::stiffness_points(probed), figures);
+    add(figures::stiffness_over_strain(probed, loaded), figures);
 }
 
 /// What is mixed at each fines content, and the first sample's own grading.

@@ -55,7 +55,8 @@ TEST(Laboratory, EachTestLeavesItsNumbersAndItsFigure) {
     EXPECT_EQ(stiff.at("stiffness").size(), 6U);
     EXPECT_EQ(stiff.at("measured").at("skempton-b").at("skempton_b"), stiff.at("skempton_b"));
     EXPECT_NEAR(stiff.at("skempton_b").get<double>(), cycled.at("skempton_b").get<double>(), 0.005);
-    for (const char* id : {"own-triaxial", "own-compression", "own-shear", "own-cyclic", "own-stiffness"}) {
+    for (const char* id :
+         {"own-triaxial", "own-compression", "own-shear", "own-cyclic", "own-stiffness", "own-stiffness-strain"}) {
         EXPECT_TRUE(std::filesystem::exists(folder / ("run/figures/" + std::string(id) + ".csv"))) << id;
     }
 }
