@@ -7,7 +7,7 @@
 #include "suffuse/casefile/schema.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/casefile/variants.hpp"
-#include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/facts/shown.hpp"
 #include "suffuse/job/explain_word.hpp"
 #include "suffuse/plan/plan.hpp"

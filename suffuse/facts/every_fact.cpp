@@ -8,13 +8,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <iterator>
 
 namespace suffuse::facts {
 namespace {
-
-constexpr const char* tables = "tables";
 
 template <class... Rows>
 std::vector<Fact> facts_of(const Rows&... rows) {
@@ -390,54 +387,8 @@ std::vector<Group> make_groups() {
         {"`passes` of `remove`, beyond that", "passes", of_removal_pass},
         {"`transport` of a pass", "transport", facts_of(transport)},
         {"`measured`", "measured", of_measured},
-        {"Columns of tables", tables, of_tables},
+        {"Columns of tables", std::string(columns_of_tables), of_tables},
     };
-}
-
-/// Stands for a member of any type.
-struct AnyMember {
-    template <class Value>
-    operator Value() const; // NOLINT(google-explicit-constructor): that is its use
-};
-
-/// How many members a plain structure has.
-template <class Of, class... Counted>
-consteval std::size_t members_of() {
-    if constexpr (requires { Of{Counted{}..., AnyMember{}}; }) {
-        return members_of<Of, Counted..., AnyMember>();
-    } else {
-        return sizeof...(Counted);
-    }
-}
-
-/// How many of them results.cbor has by these rows.
-template <class... Rows>
-consteval std::size_t saved_by(const Rows&... lists) {
-    std::size_t saved = 0;
-    const auto count = [&]<class R>(const R& row) { saved += R::is_member && !row.saved.empty() ? 1 : 0; };
-    (for_each_row(lists, count), ...);
-    return saved;
-}
-
-static_assert(
-    saved_by(pass, pass_with_water) == members_of<erosion::PassResult>() &&
-        saved_by(probe) == members_of<erosion::ProbeResult>() &&
-        saved_by(mobility) == members_of<erosion::MobilityResult>(),
-    "each member of a result has its row: with a key of stage.json, or saved_alone"
-);
-
-/// Of each key the first fact that fulfills a condition.
-template <class Condition>
-std::map<std::string_view, Fact> first_with(Condition condition) {
-    std::map<std::string_view, Fact> known;
-    for (const Group& group : every_group()) {
-        for (const Fact& fact : group.facts) {
-            if (condition(fact)) {
-                known.emplace(fact.key, fact);
-            }
-        }
-    }
-    return known;
 }
 
 } // namespace
@@ -447,46 +398,13 @@ const std::vector<Group>& every_group() {
     return groups;
 }
 
-const std::map<std::string, std::string>& units() {
-    static const std::map<std::string, std::string> known = [] {
-        std::map<std::string, std::string> made;
-        for (const Group& group : every_group()) {
-            for (const Fact& fact : group.facts) {
-                if ((!fact.unit.empty() && fact.unit != "-") || group.within == tables) {
-                    made.emplace(fact.key, fact.unit);
-                }
-            }
-        }
-        return made;
-    }();
-    return known;
-}
-
-Kind kind_of(const std::string& key) {
-    static const auto known = first_with([](const Fact& fact) { return fact.kind != Kind::Result; });
-    const auto found = known.find(key);
-    return found == known.end() ? Kind::Result : found->second.kind;
-}
-
-const Fact* shown_fact(std::string_view key) {
-    static const auto known = first_with([](const Fact& fact) { return !fact.shown.name.empty(); });
-    const auto found = known.find(key);
-    return found == known.end() ? nullptr : &found->second;
-}
-
-bool is_fact(const std::string& key) {
-    return std::ranges::any_of(every_group(), [&](const Group& group) {
-        return std::ranges::any_of(group.facts, [&](const Fact& fact) { return fact.key == key; });
-    });
-}
-
 std::string results_markdown() {
     std::string text = "# Results of a stage\n\nEvery key of `stage.json`, printed by `suffuse schema --results`. "
                        "Numbers are in SI units; - marks "
                        "shares, ratios and counts. Compression is positive. What could not be measured is null.\n";
     auto out = std::back_inserter(text);
     for (const Group& group : every_group()) {
-        if (group.within == tables) {
+        if (group.within == columns_of_tables) {
             continue;
         }
         fmt::format_to(out, "\n## {}\n\n| key | unit | |\n|---|---|---|\n", group.title);

@@ -1,10 +1,10 @@
 #pragma once
-// All results, for docs/results.md, for the units that Python knows, and for a test that no result lacks its row.
+// All results, in the order of docs/results.md.
 
 #include "suffuse/facts/fact.hpp"
 
-#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::facts {
@@ -16,20 +16,10 @@ struct Group {
     std::vector<Fact> facts;
 };
 
+inline constexpr std::string_view columns_of_tables = "tables"; ///< `within` of the group that is in no stage.json
+
 /// Every number of stage.json, then the columns of tables.
 const std::vector<Group>& every_group();
-
-/// Key -> unit of what has one: "mean_stress", "force_distribution.mean_force". Parts of an object have its unit.
-const std::map<std::string, std::string>& units();
-
-/// Of what is under this key of any object of stage.json: "steps", "void_ratio".
-Kind kind_of(const std::string& key);
-
-/// The fact of this key that tables and axes give a name; null where none has one.
-const Fact* shown_fact(std::string_view key);
-
-/// Whether results may be under this key of an object of stage.json: "void_ratio", "fabric.deviator".
-bool is_fact(const std::string& key);
 
 /// docs/results.md.
 std::string results_markdown();

@@ -1,5 +1,6 @@
 #include "suffuse/facts/every_fact.hpp"
 
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/facts/mobility.hpp"
 #include "suffuse/facts/pass.hpp"
 

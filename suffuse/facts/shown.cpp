@@ -3,7 +3,7 @@
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/words.hpp"
-#include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/by_key.hpp"
 
 #include <fmt/format.h>
 

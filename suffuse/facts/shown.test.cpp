@@ -1,6 +1,7 @@
 #include "suffuse/facts/shown.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/facts/every_fact.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "suffuse/figures/figure.hpp"
 
-#include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/facts/shown.hpp"
 #include "suffuse/record/or_null.hpp"
 

@@ -1,7 +1,7 @@
 #include "suffuse/record/compare_runs.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/facts/every_fact.hpp"
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stage_sums.hpp"

@@ -2,6 +2,7 @@
 // A case as text, run in a folder of its own: what scenarios that go through the whole program share.
 
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/facts/by_key.hpp"
 #include "suffuse/facts/every_fact.hpp"
 #include "suffuse/figures/figure_guide.hpp"
 #include "suffuse/job/run_case.hpp"
