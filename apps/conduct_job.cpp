@@ -158,7 +158,9 @@ int report_untouched(const job::RunReport& report, const Job& job, const Console
 
 plan::RunPlan plan_rest(const Job& job) {
     return plan::plan_within(job.memory, job.sample.empty() ? plan::samples_at_once(job.what) : 1, [&](int at_once) {
-        plan::RunPlan plan = plan::plan_case(job.what, at_once);
+        const plan::MachineSpeed& known = job.plan.speed; // measured for an earlier sample of this call
+        const bool is_known = known.particle_steps_per_second > 0 && known.at_once == at_once;
+        plan::RunPlan plan = is_known ? plan::plan_run(job.what, known) : plan::plan_case(job.what, at_once);
         plan::PastPrices(job.cache).correct(plan);
         plan::price_requested_alone(plan, job.what, job.until, job.sample);
         plan::leave_out_done(plan, job.what, job.folder, record::StageCache(job.cache, job.cache_owners));

@@ -109,20 +109,23 @@ void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Co
     }
 }
 
-double time_limit_of(const std::string& text) {
+double time_of(const std::string& text, const std::string& flag) {
     constexpr double longest = 3.2e9; // [s], a hundred years
     if (text.empty()) {
         return std::numeric_limits<double>::infinity();
     }
-    const double limit = quantity_of(text, dimension::time, "--time-limit", false);
+    const double limit = quantity_of(text, dimension::time, flag, false);
     if (!(limit > 0)) {
-        throw UsageError(fmt::format("--time-limit {} leaves no time; write one such as 90min", shown(text)));
+        throw UsageError(fmt::format("{} {} leaves no time; write one such as 90min", flag, shown(text)));
     }
     if (limit > longest) {
-        throw UsageError(fmt::format("--time-limit {} is more than a hundred years; leave it out for none", shown(text))
-        );
+        throw UsageError(fmt::format("{} {} is more than a hundred years; leave it out for none", flag, shown(text)));
     }
     return limit;
+}
+
+double time_limit_of(const std::string& text) {
+    return time_of(text, "--time-limit");
 }
 
 void RunLimits::add_to(Options& options) {

@@ -64,6 +64,9 @@ std::filesystem::path cache_to_go_on(
 void look_at_run(const std::filesystem::path& run, io::Purpose purpose, const Console& console);
 
 /// [s], without end where the text is empty. @throws UsageError where it is no time to work in
+double time_of(const std::string& text, const std::string& flag);
+
+/// The same of --time-limit.
 double time_limit_of(const std::string& text);
 
 /// How far a run goes.

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/run_tree.hpp"
@@ -15,8 +16,10 @@
 
 #include <fmt/format.h>
 
+#include "apps/complaint.hpp"
 #include "apps/conduct_calibration.hpp"
 #include "apps/conduct_job.hpp"
+#include "apps/exit_code.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/stop_signal.hpp"
 #include "apps/verb.hpp"
@@ -44,7 +47,7 @@ struct ResumeVerb final : Verb {
     CacheOptions cache;
     RunLimits limits;
     MemoryOption memory;
-    std::string sample;
+    std::vector<std::string> samples;
     bool is_trusted = false;
 
     void add_to(Options& options) override {
@@ -56,29 +59,81 @@ struct ResumeVerb final : Verb {
         );
         limits.add_to(options);
         memory.add_to(options);
-        options.value("--sample", sample, "only this sample, while others run elsewhere; as in fines/fc=20/rep=1")
+        options
+            .values(
+                "--sample", samples,
+                "only this sample, while others run elsewhere; as in fines/fc=20/rep=1; repeated: one after the other"
+            )
             .type("NAME");
     }
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
-/// Folder of the only sample that is requested. @throws UsageError where there is no such sample.
-std::optional<fs::path> check_sample(const casefile::Case& what, const fs::path& folder, const std::string& name) {
-    if (name.empty()) {
-        return std::nullopt;
-    }
+/// @throws UsageError where there is no such sample.
+void check_samples(const casefile::Case& what, const std::vector<std::string>& requested) {
     std::vector<std::string> names;
     for (const record::Sample& sample : record::list_samples(what)) {
         names.push_back(sample.variant->folder);
     }
-    if (std::find(names.begin(), names.end(), name) == names.end()) {
-        throw UsageError(fmt::format(
-            "--sample {}: the run has no such sample{}; suffuse plan lists them", shown(name), near_hint(name, names)
-        ));
+    for (const std::string& name : requested) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            throw UsageError(fmt::format(
+                "--sample {}: the run has no such sample{}; suffuse plan lists them", shown(name),
+                near_hint(name, names)
+            ));
+        }
     }
-    io::make_folders(folder / "studies" / name);
-    return folder / "studies" / name;
+}
+
+/// The job's sample, or all of them, to their end. @return the exit code
+int resume_part(Job& job, const Console& console) {
+    std::optional<job::FolderLock> own_lock;
+    if (!job.sample.empty()) {
+        const fs::path own = job.folder / "studies" / job.sample;
+        io::make_folders(own);
+        own_lock.emplace(own, console.warner());
+    }
+    if (const std::optional<int> code = look_before(job, console)) {
+        return *code;
+    }
+    job.plan = plan_rest(job);
+    print_plan(job, "in", console);
+    return conduct(job, console);
+}
+
+/// Samples of one task, one after the other. One that fails keeps none of the others waiting, nor does one that another
+/// program works on. @return the code of the first that failed; what ends the call where a signal or the time did
+int resume_samples(Job& job, const std::vector<std::string>& samples, const Console& console) {
+    const double time_limit = job.time_limit;
+    const Stopwatch watch;
+    int failed = Done, flawed = Done;
+    for (const std::string& sample : samples) {
+        job.sample = sample;
+        job.time_limit = time_limit - watch.seconds();
+        if (stop_flag()) {
+            return signal_exit_code();
+        }
+        if (!(job.time_limit > 0)) {
+            console.talk(fmt::format("time limit reached before {}", sample));
+            return OutOfTime;
+        }
+        int code = Done;
+        try {
+            code = resume_part(job, console);
+        } catch (...) {
+            code = complain_about_current(console);
+        }
+        if (code == OutOfTime || code >= BySignal) {
+            return code;
+        }
+        if (code == Flawed) {
+            flawed = code;
+        } else if (failed == Done) {
+            failed = code;
+        }
+    }
+    return failed != Done ? failed : flawed;
 }
 
 int resume_calibration(const ResumeVerb& verb, const std::string& command, const Console& console) {
@@ -99,11 +154,13 @@ int resume_calibration(const ResumeVerb& verb, const std::string& command, const
 }
 
 int ResumeVerb::act(const CommandLine& line, const Console& console) const {
+    if (samples.size() > 1 && console.wants_json()) {
+        throw UsageError("--json prints one document: give one --sample with it");
+    }
     Job job{
         .until = limits.until,
         .time_limit = limits.seconds(), // wrong use is an error before anything is made
         .memory = memory.bytes(),
-        .sample = sample,
         .command = line.typed,
         .folder = folder};
     handle_signals();
@@ -125,19 +182,15 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         job.case_text = read_whole_file(request.case_file);
     }
     plan::check_until(job.what, limits.until);
+    check_samples(job.what, samples);
     threads.apply();
-    const auto own = check_sample(job.what, job.folder, sample);
-    const job::FolderLock lock(
-        job.folder, console.warner(), own ? job::FolderLock::Kind::Shared : job::FolderLock::Kind::Alone
-    );
-    const std::optional<job::FolderLock> own_lock =
-        own ? std::optional<job::FolderLock>(std::in_place, *own, console.warner()) : std::nullopt;
-    if (const std::optional<int> code = look_before(job, console)) {
-        return *code;
+    const auto kind = samples.empty() ? job::FolderLock::Kind::Alone : job::FolderLock::Kind::Shared;
+    const job::FolderLock lock(job.folder, console.warner(), kind);
+    if (samples.size() > 1) {
+        return resume_samples(job, samples, console);
     }
-    job.plan = plan_rest(job);
-    print_plan(job, "in", console);
-    return conduct(job, console);
+    job.sample = samples.empty() ? "" : samples.front();
+    return resume_part(job, console);
 }
 
 } // namespace

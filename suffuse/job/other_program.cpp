@@ -15,6 +15,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace suffuse::job {
 namespace {
@@ -61,19 +62,20 @@ std::string read_all(int descriptor) {
     while (!text.empty() && text.back() == '\n') {
         text.pop_back();
     }
-    return text.size() > longest_complaint ? text.substr(text.size() - longest_complaint) : text;
+    return text;
 }
 
 /// In the child: becomes the other program, which ends with the thread that waits for it, however that ends.
+/// @param kept STDOUT_FILENO or STDERR_FILENO, which goes into the pipe; the other one is dropped
 /// @return why it could not
-int become(char* const* words, int complaints, pid_t parent) {
+int become(char* const* words, int pipe, int kept, pid_t parent) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) { // has ended already
         return ECHILD;
     }
     const int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
-    if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 || dup2(output, STDOUT_FILENO) < 0 ||
-        dup2(complaints, STDERR_FILENO) < 0) {
+    const int dropped = kept == STDOUT_FILENO ? STDERR_FILENO : STDOUT_FILENO;
+    if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 || dup2(output, dropped) < 0 || dup2(pipe, kept) < 0) {
         return errno;
     }
     for (const int descriptor : {input, output}) {
@@ -86,12 +88,12 @@ int become(char* const* words, int complaints, pid_t parent) {
 }
 
 /// @throws IoError where it cannot be started
-pid_t start(char* const* words, int complaints) {
+pid_t start(char* const* words, int pipe, int kept) {
     Pipe problem;                                                               // closed by what starts
     const double bound = bound_memory(std::numeric_limits<double>::infinity()); // ours, not the other program's
     const pid_t parent = getpid(), child = fork();
     if (child == 0) { // from here on only calls that a signal handler may make, too: other threads may hold locks
-        const int code = become(words, complaints, parent);
+        const int code = become(words, pipe, kept, parent);
         static_cast<void>(!write(problem.ends[1], &code, sizeof code));
         _exit(127);
     }
@@ -105,6 +107,27 @@ pid_t start(char* const* words, int complaints) {
         throw IoError(fmt::format("{} cannot be started: {}", words[0], std::strerror(code)));
     }
     return child;
+}
+
+/// Runs it to its end; the text that is kept is in `complaint`.
+ProgramEnd run_keeping(const std::vector<std::string>& words, int kept) {
+    expects(!words.empty(), "a program has a name");
+    Pipe pipe;
+    std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
+    for (const std::string& word : words) {
+        arguments.push_back(const_cast<char*>(word.c_str())); // as execvp wants it; nobody writes there
+    }
+    arguments.push_back(nullptr);
+    const pid_t child = start(arguments.data(), pipe.ends[1], kept);
+    pipe.close_end(1);
+    ProgramEnd end;
+    end.complaint = read_all(pipe.ends[0]);
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    end.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    return end;
 }
 
 } // namespace
@@ -123,23 +146,19 @@ bool is_installed(const std::string& name) {
 }
 
 ProgramEnd run_program(const std::vector<std::string>& words) {
-    expects(!words.empty(), "a program has a name");
-    Pipe complaints;
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (const std::string& word : words) {
-        arguments.push_back(const_cast<char*>(word.c_str())); // as execvp wants it; nobody writes there
+    ProgramEnd end = run_keeping(words, STDERR_FILENO);
+    if (end.complaint.size() > longest_complaint) {
+        end.complaint.erase(0, end.complaint.size() - longest_complaint);
     }
-    arguments.push_back(nullptr);
-    const pid_t child = start(arguments.data(), complaints.ends[1]);
-    complaints.close_end(1);
-    ProgramEnd end;
-    end.complaint = read_all(complaints.ends[0]);
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    end.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return end;
+}
+
+std::optional<std::string> output_of(const std::vector<std::string>& words) {
+    if (!is_installed(words.front())) {
+        return std::nullopt;
+    }
+    ProgramEnd end = run_keeping(words, STDOUT_FILENO);
+    return end.code == 0 ? std::optional(std::move(end.complaint)) : std::nullopt;
 }
 
 } // namespace suffuse::job

@@ -1,6 +1,7 @@
 #pragma once
 // Other programs that do a part of the work: found on the PATH, run to their end, their complaints kept.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ bool is_installed(const std::string& name);
 /// the thread that called this.
 /// @throws IoError where it cannot be started.
 ProgramEnd run_program(const std::vector<std::string>& words);
+
+/// What a program writes to standard output, without input and complaints; nothing where it is not installed or fails.
+std::optional<std::string> output_of(const std::vector<std::string>& words);
 
 } // namespace suffuse::job

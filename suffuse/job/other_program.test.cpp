@@ -25,6 +25,15 @@ TEST(OtherProgram, ItsComplaintAndItsCodeAreKept) {
     EXPECT_EQ(run_program({"sh", "-c", "read line || exit 4"}).code, 4) << "there is no input";
 }
 
+TEST(OtherProgram, ItsOutputIsKeptWholeWhereItSucceeds) {
+    const std::optional<std::string> text = output_of({"sh", "-c", "seq 1 2000; echo dropped >&2"});
+    ASSERT_TRUE(text.has_value());
+    EXPECT_EQ(text->substr(0, 4), "1\n2\n");
+    EXPECT_EQ(text->substr(text->size() - 5), "\n2000");
+    EXPECT_EQ(output_of({"sh", "-c", "echo half; exit 1"}), std::nullopt);
+    EXPECT_EQ(output_of({"no-such-program-of-suffuse"}), std::nullopt);
+}
+
 TEST(OtherProgram, OneThatIsNotThereIsNamed) {
     try {
         run_program({"no-such-program-of-suffuse"});

@@ -1,6 +1,7 @@
 # shellcheck shell=sh disable=SC2154
 # A Slurm of its own on this machine, from Debian's packages: munged, slurmctld and slurmd with their files in $folder, which
-# the caller makes, on ports that nobody else uses. Needs root, as slurmd does. `start_slurm` and `stop_slurm`.
+# the caller makes, on ports that nobody else uses. Needs root, as slurmd does. `start_slurm` and `stop_slurm`. An array has
+# fewer tasks than $max_array_size.
 
 slurm_pids=
 
@@ -19,7 +20,7 @@ ClusterName=one
 SlurmctldHost=$host
 SlurmUser=root
 AuthType=auth/munge
-AuthInfo=socket=$folder/munge.socket
+AuthInfo=socket=$folder/munge.socket,cred_expire=5
 CredType=cred/munge
 StateSaveLocation=$folder/state
 SlurmdSpoolDir=$folder/spool
@@ -40,6 +41,7 @@ SelectTypeParameters=CR_Core
 ReturnToService=2
 SchedulerParameters=batch_sched_delay=0,sched_interval=1
 MinJobAge=3600
+MaxArraySize=${max_array_size:-1001}
 NodeName=$host NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$(awk '/MemTotal/ { print int($2 / 1100) }' /proc/meminfo) State=UNKNOWN
 PartitionName=all Nodes=$host Default=YES MaxTime=INFINITE State=UP
 EOF

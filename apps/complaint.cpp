@@ -1,0 +1,96 @@
+#include "apps/complaint.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/readable.hpp"
+#include "suffuse/base/render_within.hpp"
+
+#include "apps/exit_code.hpp"
+#include "apps/json_text.hpp"
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <string>
+#include <utility>
+
+namespace suffuse::apps {
+namespace {
+
+struct Complaint {
+    int code;
+    std::string kind, message;
+    bool rendered = false; ///< with its source line already
+    nlohmann::json problems = nlohmann::json::array();
+};
+
+Complaint complaint_about(const CaseProblems& error, bool color) {
+    Complaint complaint{BadCase, "case", render_within(error.problems, color, source_width()), true};
+    for (const Diagnostic& problem : error.problems) {
+        complaint.problems.push_back(problem_json(problem));
+    }
+    return complaint;
+}
+
+/// What the exception in flight means to the user.
+Complaint current_complaint(bool color) {
+    try {
+        throw;
+    } catch (const UsageError& error) {
+        return {WrongUse, "usage", error.what()};
+    } catch (const CaseProblems& error) {
+        return complaint_about(error, color);
+    } catch (const CaseError& error) {
+        return {BadCase, "case", error.what()};
+    } catch (const IoError& error) {
+        return {InputOutput, "io", error.what()};
+    } catch (const std::filesystem::filesystem_error& error) {
+        return {InputOutput, "io", error.what()};
+    } catch (const suffuse::Interrupted& error) {
+        return {Interrupted, "interrupted", error.what()};
+    } catch (const Error& error) {
+        return {Failed, "run", error.what()};
+    } catch (const std::bad_alloc&) {
+        return {
+            InputOutput, "memory",
+            "out of memory; suffuse plan CASE shows how much a case needs, --memory limits what a run may use"};
+    } catch (const std::exception& error) {
+        return {OurDefect, "defect", error.what()};
+    } catch (...) {
+        return {
+            OurDefect, "defect",
+            "something other than an exception was thrown (a defect of suffuse, please report it)"};
+    }
+}
+
+/// Names of files come from the user and could hold what moves a terminal's cursor.
+std::string harmless(std::string message) {
+    constexpr std::size_t most = 4000;
+    if (message.size() > most) {
+        message = message.substr(0, most) + " ...";
+    }
+    std::replace_if(
+        message.begin(), message.end(),
+        [](char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\n') || c == 0x7f; }, '?'
+    );
+    return message;
+}
+
+int print(const Complaint& complaint, const Console& console) {
+    console.error(complaint.rendered ? complaint.message : harmless(complaint.message), complaint.rendered);
+    console.document(json_text(
+        {{"error",
+          {{"kind", complaint.kind},
+           {"exit_code", complaint.code},
+           {"message", readable(complaint.message)},
+           {"problems", complaint.problems}}}}
+    ));
+    return complaint.code;
+}
+
+} // namespace
+
+int complain_about_current(const Console& console) {
+    return print(current_complaint(console.has_color()), console);
+}
+
+} // namespace suffuse::apps
