@@ -2,6 +2,7 @@
 
 #include "suffuse/base/byte_size.hpp"
 #include "suffuse/base/memory_bound.hpp"
+#include "suffuse/io/folders.hpp"
 #include "suffuse/job/draw_figures.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
@@ -12,6 +13,9 @@
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/missing_stages.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
 #include "suffuse/record/stage_sums.hpp"
 #include "suffuse/report/page.hpp"
 
@@ -191,7 +195,15 @@ run_and_listen(const casefile::Case& what, run::RunOptions options, const py::di
     options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
     std::thread worker([&] {
         try {
-            const job::FolderLock lock(options.folder, warn);
+            using Kind = job::FolderLock::Kind;
+            const bool is_one = !options.sample.empty(); // others work on the other samples
+            const job::FolderLock lock(options.folder, warn, is_one ? Kind::Shared : Kind::Alone);
+            std::optional<job::FolderLock> own_lock;
+            if (is_one) {
+                const fs::path own = options.folder / "studies" / options.sample;
+                io::make_folders(own);
+                own_lock.emplace(own, warn);
+            }
             report = job::run_case(what, options);
         } catch (...) {
             failure = std::current_exception();
@@ -274,7 +286,7 @@ std::optional<double> time_limit_of(const py::object& given) {
 py::tuple conduct(
     const CaseHandle& what, const fs::path& folder, const std::string& until, const py::object& time_limit,
     const fs::path& page_folder, const py::object& on_progress, const fs::path& cache, const py::dict& rules,
-    int at_once
+    int at_once, const std::string& sample
 ) {
     plan::check_until(what.loaded.value, until);
     run::RunOptions options;
@@ -284,12 +296,40 @@ py::tuple conduct(
     options.until = until;
     options.page_folder = page_folder;
     options.case_text = what.text;
-    options.command = "suffuse.Case.run() in Python";
+    options.sample = sample;
+    options.command = sample.empty() ? "suffuse.Case.run() in Python" : "suffuse.sweep() in Python";
     options.time_limit = time_limit_of(time_limit).value_or(options.time_limit);
     Listener listener(on_progress);
     const job::RunReport report = run_and_listen(what.loaded.value, std::move(options), rules, listener);
     listener.raise_what_was_raised();
     return py::make_tuple(record::word_of(report.outcome), report.report);
+}
+
+/// Samples that the run still needs, those that refine its results so far among them; failed ones, too.
+std::vector<std::string> unfinished_samples(const fs::path& folder) {
+    const Released released;
+    const job::FolderLock lock(folder, warn);
+    const std::vector<record::Refinement> refined = record::find_refinements(record::load_run(folder), folder);
+    if (!refined.empty()) {
+        record::keep_refinements(folder, refined);
+    }
+    const casefile::Case what = record::load_run(folder);
+    std::vector<std::string> names;
+    for (const record::Sample& sample : record::list_samples(what)) {
+        if (!record::is_complete(sample, folder)) {
+            names.push_back(sample.variant->folder);
+        }
+    }
+    return names;
+}
+
+/// The report of a run whose samples were run one by one. @return the outcome
+std::string gather(const fs::path& folder, const fs::path& page_folder) {
+    const Working working;
+    const job::FolderLock lock(folder, warn);
+    record::require_whole_run(folder);
+    io::remove_file(folder / record::provenance_file); // of an earlier gathering, which had fewer samples
+    return std::string(record::word_of(job::rebuild_report(folder, page_folder, "suffuse.sweep() in Python").outcome));
 }
 
 } // namespace
@@ -332,8 +372,15 @@ void bind_runs(py::module_& m) {
     });
     m.def(
         "conduct", &conduct, py::arg("case"), py::arg("folder"), py::arg("until"), py::arg("time_limit"),
-        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache"), py::arg("rules"), py::arg("at_once")
+        py::arg("page_folder"), py::arg("on_progress"), py::arg("cache"), py::arg("rules"), py::arg("at_once"),
+        py::arg("sample") = ""
     );
+    m.def("open_run", [](const CaseHandle& what, const fs::path& folder) {
+        const job::FolderLock lock(folder, warn);
+        record::open_folder(folder, what.loaded.value, what.text);
+    });
+    m.def("unfinished_samples", &unfinished_samples, py::arg("folder"));
+    m.def("gather", &gather, py::arg("folder"), py::arg("page_folder"));
     m.def(
         "read_cbor", [](const fs::path& path) { return to_python(record::read_cbor(path)); }, py::arg("path"),
         "What a stage keeps in results.cbor."

@@ -52,6 +52,7 @@ from suffuse._core import (
     threads,
 )
 from suffuse.case import Plan, Table
+from suffuse.executors import sweep
 from suffuse.laboratory import read_test
 from suffuse.packing import read, read_packing, write_packing
 from suffuse.progress import print_progress, progress
@@ -62,5 +63,5 @@ from suffuse.stability import Assessment, assess, atlas
 from suffuse.views import View
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "case", "laboratory", "packing", "records", "run", "sample", "spelling", "stability", "views"
+    "case", "executors", "laboratory", "packing", "records", "run", "sample", "spelling", "stability", "views"
 )]
