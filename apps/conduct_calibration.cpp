@@ -163,8 +163,7 @@ int print_answer(const CalibrationJob& job, const job::CalibrationResult& result
     if (!result.parameters.empty()) {
         print_parameters(result, console);
         print_fits(result, console);
-        console.result("intervals are not validated yet: three soils were tried, by which the method was chosen "
-                       "(docs/how-to/calibrate.md)");
+        console.result("intervals are not validated on samples of grains yet (docs/how-to/calibrate.md)");
         console.result(fmt::format("for a case: {}", (job.folder / "contact.toml").string()));
     }
     return code;

@@ -1,5 +1,7 @@
 #include "suffuse/calibration/emulator_parts.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,8 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double trend_variance = 1e4; // of each coefficient / scatter between runs: it is free to be anything
-constexpr double runs_for_half = 10;   // the covariance of rows of so many runs is half shrunk to its diagonal
+constexpr double trend_variance = 1e4;    // of each coefficient / scatter between runs: it is free to be anything
+constexpr double judged_variation = 0.99; // of the curves is in the components by which assumptions are compared
+constexpr int runs_a_component = 6;       // at least
+constexpr int chosen_numbers = 2;         // share and correlation length, by which the errors became the likeliest
 
 VectorXd basis_of(const VectorXd& z, int degree) {
     std::vector<double> terms = {1.0};
@@ -40,8 +44,24 @@ struct Trial {
     double score = std::numeric_limits<double>::infinity(); ///< -2 log likelihood of the errors
 };
 
+/// Weights of the rows that give the principal components of the curves, each row over its deviation. Rows say the same
+/// thing again and again; by them all, chance would look like a law.
+MatrixXd components_of(const MatrixXd& curves) {
+    const VectorXd deviations = (curves.colwise().squaredNorm() / static_cast<double>(curves.rows())).cwiseSqrt();
+    const VectorXd scale = (deviations.array() > 0).select(deviations.array().inverse(), 0).matrix();
+    const MatrixXd scaled = curves * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled.transpose() * scaled);
+    const VectorXd& variation = solver.eigenvalues(); // rising
+    const Index most = std::clamp(curves.rows() / runs_a_component, Index{1}, variation.size());
+    Index count = 1;
+    while (count < most && variation.tail(count).sum() < judged_variation * variation.sum()) {
+        ++count;
+    }
+    return scale.asDiagonal() * solver.eigenvectors().rightCols(count);
+}
+
 /// Errors of leaving one out in closed form [Rasmussen and Williams 2006, eq. 5.12].
-Trial tried(const MatrixXd& points, const MatrixXd& curves, const Smoothness& s) {
+Trial tried(const MatrixXd& points, const MatrixXd& curves, const MatrixXd& components, const Smoothness& s) {
     const Index n = points.rows();
     MatrixXd all(n, n);
     for (Index i = 0; i < n; ++i) {
@@ -58,11 +78,11 @@ Trial tried(const MatrixXd& points, const MatrixXd& curves, const Smoothness& s)
     trial.weights = trial.factor.solve(curves);
     trial.variances = trial.factor.solve(MatrixXd::Identity(n, n)).diagonal().cwiseInverse();
     trial.errors = trial.variances.asDiagonal() * trial.weights;
-    const VectorXd squares =
-        (trial.variances.cwiseSqrt().cwiseInverse().asDiagonal() * trial.errors).colwise().squaredNorm().transpose();
-    const double least = std::numeric_limits<double>::min() * static_cast<double>(n);
-    trial.score = static_cast<double>(n) * (squares / static_cast<double>(n)).cwiseMax(least).array().log().sum() +
-                  static_cast<double>(curves.cols()) * trial.variances.array().log().sum();
+    const MatrixXd judged = trial.variances.cwiseSqrt().cwiseInverse().asDiagonal() * trial.errors * components;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> spread(judged.transpose() * judged / static_cast<double>(n));
+    const double least = std::numeric_limits<double>::min();
+    trial.score = static_cast<double>(n) * spread.eigenvalues().cwiseMax(least).array().log().sum() +
+                  static_cast<double>(components.cols()) * trial.variances.array().log().sum();
     return trial;
 }
 
@@ -71,8 +91,10 @@ Index terms_of(Index dimensions, int degree) {
     return degree == 0 ? 1 : degree == 1 ? 1 + d : 1 + d + d * (d + 1) / 2;
 }
 
-/// The likeliest of a few; a trend needs more runs than it has terms.
+/// The likeliest of a few, by the errors of leaving one out with their covariance over the components; a trend needs
+/// more runs than it has terms.
 Smoothness choose(const MatrixXd& points, const MatrixXd& curves, Trial& best) {
+    const MatrixXd components = components_of(curves);
     Smoothness chosen;
     for (const int degree : {0, 1, 2}) {
         if (degree > 0 && points.rows() < terms_of(points.cols(), degree) + 3) {
@@ -81,7 +103,7 @@ Smoothness choose(const MatrixXd& points, const MatrixXd& curves, Trial& best) {
         for (const double share : {0.0, 1.0, 10.0, 100.0, 1000.0}) {
             for (const double correlation : {0.7, 1.4, 2.8}) {
                 const Smoothness s{degree, share, correlation};
-                if (Trial trial = tried(points, curves, s); trial.score < best.score) {
+                if (Trial trial = tried(points, curves, components, s); trial.score < best.score) {
                     best = std::move(trial);
                     chosen = s;
                 }
@@ -92,15 +114,6 @@ Smoothness choose(const MatrixXd& points, const MatrixXd& curves, Trial& best) {
         }
     }
     return chosen;
-}
-
-MatrixXd covariance_of_rows(const Trial& trial) {
-    const MatrixXd scaled = trial.variances.cwiseSqrt().cwiseInverse().asDiagonal() * trial.errors;
-    const MatrixXd full = scaled.transpose() * scaled / static_cast<double>(scaled.rows());
-    const double shrinkage = runs_for_half / (runs_for_half + static_cast<double>(scaled.rows()));
-    MatrixXd rows = (1 - shrinkage) * full;
-    rows.diagonal() += shrinkage * full.diagonal();
-    return rows;
 }
 
 } // namespace
@@ -130,6 +143,21 @@ CurveEmulator::Parts::Prediction CurveEmulator::Parts::predict(const Point& poin
     return found;
 }
 
+CurveEmulator::Parts CurveEmulator::Parts::summed(const std::vector<int>& rows, const MatrixXd& sums) const {
+    MatrixXd all = MatrixXd::Zero(center.size(), sums.cols());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        all.row(rows[k]) = sums.row(static_cast<Index>(k));
+    }
+    Parts of_sums = *this;
+    of_sums.center = all.transpose() * center;
+    of_sums.weights = weights * all;
+    of_sums.trend = trend * all;
+    of_sums.fitted = fitted * all;
+    of_sums.left_out = left_out * all;
+    of_sums.standard_errors = standard_errors * all;
+    return of_sums;
+}
+
 CurveEmulator::CurveEmulator(const std::vector<Point>& points, const std::vector<Curve>& curves) {
     if (points.size() < 4 || points.size() != curves.size()) {
         throw std::invalid_argument("an emulator needs four runs, with a curve each");
@@ -146,7 +174,9 @@ CurveEmulator::CurveEmulator(const std::vector<Point>& points, const std::vector
     values.rowwise() -= parts->center.transpose();
     Trial best;
     parts->smoothness = choose(parts->points, values, best);
-    parts->rows = covariance_of_rows(best);
+    const double fitted_away = std::sqrt(static_cast<double>(n) / static_cast<double>(n - chosen_numbers));
+    parts->standard_errors = fitted_away * best.variances.cwiseSqrt().cwiseInverse().asDiagonal() * best.errors;
+    parts->fitted = values - best.weights; // the scatter between runs has variance 1
     parts->weights = std::move(best.weights);
     parts->basis.resize(n, terms_of(parts->points.cols(), parts->smoothness.degree));
     for (Index i = 0; i < n; ++i) {
@@ -167,8 +197,8 @@ double CurveEmulator::variance(const Point& point) const {
     return parts_->predict(point).variance;
 }
 
-double CurveEmulator::row_covariance(int a, int b) const {
-    return parts_->rows(a, b);
+double CurveEmulator::row_variance(int row) const {
+    return parts_->standard_errors.col(row).squaredNorm() / static_cast<double>(parts_->standard_errors.rows());
 }
 
 Curve CurveEmulator::left_out_errors() const {
@@ -182,7 +212,7 @@ int CurveEmulator::rows() const {
 }
 
 double CurveEmulator::degrees_of_freedom() const {
-    return std::max(4.0, static_cast<double>(parts_->basis.rows() - parts_->basis.cols()));
+    return std::max(4.0, static_cast<double>(parts_->basis.rows() - parts_->basis.cols() - chosen_numbers));
 }
 
 } // namespace suffuse::calibration

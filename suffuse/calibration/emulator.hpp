@@ -1,8 +1,7 @@
 #pragma once
 // Curves that a simulation gave at some points of the unit cube -> the curve at any other point, with its error: a
 // polynomial trend and a Gaussian process of what it leaves [Rasmussen and Williams 2006, 2.7]. All rows of a curve
-// share the covariance in the cube; the covariance between them is that of the errors when each run is left out in
-// turn.
+// share the covariance in the cube; the size of the errors is that of the runs when each is left out in turn.
 
 #include "suffuse/calibration/sobol.hpp"
 
@@ -22,19 +21,19 @@ public:
 
     [[nodiscard]] Curve mean(const Point& point) const;
 
-    /// Of the run at `point`, scatter between runs included: times row_covariance it is the covariance of its curve. At
-    /// least 1, which is the scatter alone.
+    /// Of the run at `point`, scatter between runs included: times row_variance it is the variance of a row. At least
+    /// 1, which is the scatter alone.
     [[nodiscard]] double variance(const Point& point) const;
 
-    /// Covariance of rows `a` and `b` at variance 1.
-    [[nodiscard]] double row_covariance(int a, int b) const;
+    /// Of a row where `variance` is 1.
+    [[nodiscard]] double row_variance(int row) const;
 
     /// Root mean square of the errors of each row when a run is left out.
     [[nodiscard]] Curve left_out_errors() const;
 
     [[nodiscard]] int rows() const;
 
-    /// Runs beyond the terms of the trend, at least 4: from so many follows the covariance of rows.
+    /// Runs beyond the terms of the trend, at least 4: from so many follows the covariance of errors.
     [[nodiscard]] double degrees_of_freedom() const;
 
     struct Parts;

@@ -23,8 +23,9 @@ struct CurveEmulator::Parts {
     Eigen::MatrixXd weights; ///< inverse covariance times curves
     Eigen::MatrixXd trend;   ///< coefficients, a row a term
     Eigen::LLT<Eigen::MatrixXd> factor;
-    Eigen::MatrixXd left_out; ///< errors, a row a run
-    Eigen::MatrixXd rows;     ///< covariance of rows at variance 1
+    Eigen::MatrixXd fitted;          ///< emulated curves of the runs, minus `center`
+    Eigen::MatrixXd left_out;        ///< errors, a row a run
+    Eigen::MatrixXd standard_errors; ///< the same, as they would be at variance 1
 
     struct Prediction {
         Eigen::VectorXd mean;
@@ -32,6 +33,9 @@ struct CurveEmulator::Parts {
     };
 
     [[nodiscard]] Prediction predict(const Point& point) const;
+
+    /// An emulator of weighted sums of `rows`, a column of `sums` each: it is linear in the curves.
+    [[nodiscard]] Parts summed(const std::vector<int>& rows, const Eigen::MatrixXd& sums) const;
 };
 
 Eigen::VectorXd inner_point(const Point& point);

@@ -2,15 +2,25 @@
 
 #include "suffuse/base/quantile.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Dense>
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace suffuse::calibration {
 namespace {
 
-constexpr double edge = 0.02;    // of the range: the slice at a bound
-constexpr double piled_up = 0.1; // share of the samples there; of a prior it is that of the slice
-constexpr double tail = 0.05;    // on either side of an interval
+constexpr double edge = 0.02;               // of the range: the slice at a bound
+constexpr double piled_up = 0.1;            // share of the samples there; of a prior it is that of the slice
+constexpr double tail = 0.05;               // on either side of an interval
+constexpr double prior_variance = 1.0 / 12; // of a coordinate of the cube
+
+double bits(double variance) {
+    return std::max(0.0, 0.5 * std::log2(prior_variance / std::max(variance, std::numeric_limits<double>::min())));
+}
 
 std::vector<double> coordinate(const std::vector<Point>& samples, std::size_t d) {
     std::vector<double> values;
@@ -43,11 +53,35 @@ std::vector<Interval> intervals_of(const std::vector<Point>& samples) {
     intervals.reserve(dimensions);
     for (std::size_t d = 0; d < dimensions; ++d) {
         const std::vector<double> values = coordinate(samples, d);
-        Interval interval{mean_of(values), quantile(values, tail), quantile(values, 1 - tail), 1, bound_of(values)};
+        Interval interval{mean_of(values), quantile(values, tail), quantile(values, 1 - tail), 1, bound_of(values), 0};
         interval.width = (interval.high - interval.low) / (1 - 2 * tail);
+        double squares = 0;
+        for (const double value : values) {
+            squares += (value - interval.mean) * (value - interval.mean);
+        }
+        interval.information = bits(squares / static_cast<double>(values.size()));
         intervals.push_back(interval);
     }
     return intervals;
+}
+
+std::vector<double> information_of_data(
+    const std::vector<Point>& samples, const std::function<std::vector<std::vector<double>>(const Point&)>& fisher
+) {
+    const auto n = static_cast<Eigen::Index>(samples.empty() ? 0 : samples.front().size());
+    std::vector<double> mean(static_cast<std::size_t>(n), 0.0);
+    for (const Point& sample : samples) {
+        const std::vector<std::vector<double>> rows = fisher(sample);
+        Eigen::MatrixXd precision = Eigen::MatrixXd::Identity(n, n) / prior_variance;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            precision.row(i) += Eigen::Map<const Eigen::RowVectorXd>(rows[static_cast<std::size_t>(i)].data(), n);
+        }
+        const Eigen::VectorXd variances = precision.llt().solve(Eigen::MatrixXd::Identity(n, n)).diagonal();
+        for (Eigen::Index i = 0; i < n; ++i) {
+            mean[static_cast<std::size_t>(i)] += bits(variances[i]) / static_cast<double>(samples.size());
+        }
+    }
+    return mean;
 }
 
 std::vector<std::vector<double>> correlations_of(const std::vector<Point>& samples) {

@@ -2,7 +2,6 @@
 
 #include "suffuse/calibration/posterior.hpp"
 
-#include "suffuse/calibration/curve_fit.hpp"
 #include "suffuse/calibration/feasibility.hpp"
 #include "suffuse/calibration/interval.hpp"
 #include "suffuse/calibration/next_designs.hpp"
@@ -61,6 +60,7 @@ TEST(Posterior, WithoutDataIsThePrior) {
     for (const Interval& interval : intervals_of(found.samples)) {
         EXPECT_NEAR(interval.mean, 0.5, 0.03);
         EXPECT_NEAR(interval.width, 1, 0.03);
+        EXPECT_NEAR(interval.information, 0, 0.03);
         EXPECT_FALSE(interval.is_identified());
         EXPECT_EQ(interval.bound, Bound::None);
     }
@@ -103,39 +103,6 @@ TEST(Posterior, RefusesConstraintsThatNothingMeets) {
     problem.is_allowed = [](const Point&) { return false; };
     problem.samples = 10;
     EXPECT_THROW(sample_posterior(problem), std::runtime_error);
-}
-
-TEST(CurveFit, IsStudentsDensityOfErrorsAndEmulator) {
-    const std::vector<Point> points = design_points(0, 40, 1, 1);
-    std::vector<Curve> curves;
-    for (const Point& p : points) {
-        const double ripple = std::sin(1e4 * p[0]), other = std::cos(3e4 * p[0]);
-        curves.push_back({p[0] + 0.1 * ripple, 2 * p[0] + 0.1 * other, -p[0] + 0.05 * (ripple + other)});
-    }
-    const CurveEmulator emulator(points, curves);
-    const std::vector<Curve> errors = correlated_errors({0.1, 0.2}, {}, 2);
-    const CurveFit fit(emulator, {{0, 2}, {0.45, -0.4}, errors, 0.5});
-    const Point at = {0.4};
-    Eigen::Matrix2d covariance;
-    for (int a = 0; a < 2; ++a) {
-        for (int b = 0; b < 2; ++b) {
-            covariance(a, b) = errors[a][b] + emulator.variance(at) * emulator.row_covariance(2 * a, 2 * b);
-        }
-    }
-    const Eigen::Vector2d residual(0.45 - emulator.mean(at)[0], -0.4 - emulator.mean(at)[2]);
-    const Eigen::Matrix2d own =
-        (Eigen::Matrix2d() << errors[0][0], errors[0][1], errors[1][0], errors[1][1]).finished();
-    const double freedom = emulator.degrees_of_freedom(), distance = residual.dot(covariance.inverse() * residual);
-    const double expected = -0.25 * ((freedom + 2) * std::log(1 + distance / freedom) +
-                                     std::log(covariance.determinant() / own.determinant()));
-    EXPECT_NEAR(fit.log_likelihood(at), expected, 1e-9);
-}
-
-TEST(CurveFit, HasErrorsThatDeclineWithinAQuantityAndAreIndependentBetweenTwo) {
-    const std::vector<Curve> errors = correlated_errors({1, 2, 3}, {2}, 4);
-    EXPECT_NEAR(errors[0][1], 2 * std::exp(-0.25), 1e-12);
-    EXPECT_EQ(errors[0][2], 0);
-    EXPECT_EQ(errors[2][2], 9);
 }
 
 TEST(Feasibility, FallsWhereRunsFailed) {

@@ -23,6 +23,7 @@ constexpr int rounds_after_first = 2;
 constexpr double least_shrinkage = 0.05;  // of the mean interval: a round that gives less is the last
 constexpr double spread_of_designs = 0.5; // share of the log likelihood that counts where the next samples are sought
 constexpr int held_out_samples = 8;
+constexpr int designs_for_repeated = 8; // of so many of the first round one is simulated again, with other grains
 constexpr int samples_of_answer = 2000, samples_of_search = 500; // of the posterior
 
 struct Design {
@@ -74,10 +75,13 @@ int designs_of_first(const casefile::CalibrateSpec& spec) {
     return std::max(least_successes, (spec.samples + 1) / 2);
 }
 
-/// Even over the allowed part of the ranges.
+/// Even over the allowed part of the ranges. The last ones repeat some of the others: they differ by their grains
+/// alone.
 std::vector<Design> first_designs(const casefile::CalibrationCase& what, const CurveKnowledge& knowledge) {
     std::vector<Design> designs;
-    const int wanted = designs_of_first(what.spec), dimensions = static_cast<int>(what.spec.unknowns.size());
+    const int dimensions = static_cast<int>(what.spec.unknowns.size());
+    const int repeated = designs_of_first(what.spec) / designs_for_repeated;
+    const int wanted = designs_of_first(what.spec) - repeated;
     constexpr std::uint32_t most_tries = 100'000;
     for (std::uint32_t k = 0; static_cast<int>(designs.size()) < wanted; ++k) {
         if (k == most_tries) {
@@ -87,6 +91,9 @@ std::vector<Design> first_designs(const casefile::CalibrationCase& what, const C
         if (knowledge.is_allowed(point)) {
             designs.push_back({static_cast<int>(designs.size()) + 1, std::move(point)});
         }
+    }
+    for (int k = 0; k < repeated; ++k) {
+        designs.push_back({wanted + k + 1, designs[static_cast<std::size_t>(k * wanted / repeated)].point});
     }
     return designs;
 }
@@ -166,7 +173,7 @@ private:
     /// What the parameters are now. @return the mean width of their intervals
     double judge() {
         const calibration::Posterior posterior = knowledge_.posterior(1, samples_of_answer);
-        const std::vector<calibration::Interval> intervals = calibration::intervals_of(posterior.samples);
+        const std::vector<calibration::Interval> intervals = knowledge_.intervals(posterior.samples);
         samples_ = posterior.samples;
         best_ = posterior.best;
         result_.parameters.clear();
@@ -272,7 +279,7 @@ private:
         if (lacks_parts) {
             CurveKnowledge supposed = knowledge_;
             supposed.measure_all(best_);
-            with_all = calibration::intervals_of(supposed.posterior(1, samples_of_search).samples);
+            with_all = supposed.intervals(supposed.posterior(1, samples_of_search).samples);
         }
         const auto& targets = what_.spec.targets;
         const bool is_one_pressure = std::ranges::all_of(targets, [&](const casefile::CalibrateTarget& target) {

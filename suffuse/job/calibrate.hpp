@@ -41,6 +41,7 @@ struct TargetFit {
     LaboratoryCurve laboratory;
     std::vector<double> model;           ///< the measured parts at the likeliest parameters; held out: mean of samples
     std::vector<double> model_deviation; ///< of it: the error of the emulator; held out: scatter of the samples
+    std::vector<double> seed_scatter;    ///< of it, between samples of the same parameters; empty where there are none
     int samples = 0, failed = 0;
 };
 

@@ -24,13 +24,14 @@ namespace {
 /// much denser it is than 0.7.
 struct Law {
     double friction, modulus, void_ratio, pressure;
+    double rolling = 0; ///< adds to the friction, and to the dilation
 
     [[nodiscard]] double stress_ratio(double strain) const {
-        const double peak = 6 * std::sin(friction) / (3 - std::sin(friction));
+        const double sine = std::sin(friction + rolling), peak = 6 * sine / (3 - sine);
         return 3 * peak / (3 - peak) * -std::expm1(-strain * std::sqrt(modulus / pressure));
     }
 
-    [[nodiscard]] double volumetric_strain(double strain) const { return -4 * (0.7 - void_ratio) * strain; }
+    [[nodiscard]] double volumetric_strain(double strain) const { return -4 * (0.7 - void_ratio + rolling) * strain; }
 };
 
 constexpr double true_friction = 0.5, true_modulus = 3e8, true_void_ratio = 0.62;
@@ -78,7 +79,8 @@ protected:
             const casefile::Variant& variant = study.variants.at(0);
             const auto& compact = std::get<packing::CompactSpec>(variant.stages.at(1).spec);
             const Law law{
-                variant.material.friction, variant.material.modulus, compact.void_ratio.value_or(0), compact.pressure};
+                variant.material.friction, variant.material.modulus, compact.void_ratio.value_or(0), compact.pressure,
+                rolling_counts * variant.material.rolling_friction};
             ++simulated;
             const casefile::Stage& last = variant.stages.back();
             const std::filesystem::path stage = record::stage_folder(round.folder, variant, last);
@@ -108,6 +110,7 @@ protected:
 
     test::TempFolder folder;
     std::function<bool(const Law&)> fails;
+    double rolling_counts = 0;
     int simulated = 0, runs = 0, stops_in = 100;
 };
 
@@ -195,6 +198,28 @@ unknowns = { )" + contact_unknowns +
     const nlohmann::json json = calibration_json(load(text, record_of({100e3}, false)), result);
     EXPECT_EQ(json.at("parameters").at("void_ratio").at("identified"), false);
     EXPECT_EQ(json.at("parameters").at("void_ratio").at("identified_by"), "volumetric_strain");
+}
+
+TEST_F(Calibrate, LeavesRollingResistanceOpenWhereItReplacesFriction) {
+    const std::string unknowns =
+        R"(unknowns = { "contact.friction" = ["15 deg", "30 deg"], "contact.rolling_friction" = [0.0, 0.6] }
+fix_void_ratio = true
+)";
+    const std::string target =
+        R"(targets = [{ file = "t.csv", pressure = "100 kPa", contraction = "positive", void_ratio = 0.62 }]
+)";
+    rolling_counts = 15 * pi / 180 / 0.6; // both ranges change the angle alike
+    const CalibrationResult by_stress = calibrated(load(head + target + unknowns, record_of({100e3}, false)));
+    for (const ParameterResult& parameter : by_stress.parameters) {
+        EXPECT_FALSE(parameter.interval.is_identified())
+            << parameter.unknown.key << ": " << parameter.interval.information << " bits of one sum";
+        EXPECT_EQ(parameter.remedy, Remedy::VolumetricStrain);
+    }
+    const CalibrationResult by_both = calibrated(load(head + target + unknowns, record_of({100e3}, true)));
+    for (const ParameterResult& parameter : by_both.parameters) {
+        EXPECT_TRUE(parameter.interval.is_identified())
+            << parameter.unknown.key << ": " << parameter.interval.information << " bits";
+    }
 }
 
 TEST_F(Calibrate, NamesABoundThatItsRangesEndAt) {

@@ -35,7 +35,8 @@ json parameter_json(const ParameterResult& parameter) {
         {"at_bound", bound != calibration::Bound::None},
         {"range", {parameter.unknown.least, parameter.unknown.most}},
         {"logarithmic", parameter.unknown.is_log},
-        {"relative_width", parameter.interval.width}};
+        {"relative_width", parameter.interval.width},
+        {"information", parameter.interval.information}};
     if (bound != calibration::Bound::None) {
         one["bound"] = bound == calibration::Bound::Low ? "low" : "high";
     }
@@ -61,6 +62,9 @@ json fit_json(const TargetFit& fit) {
              {"model_error", part_of(fit.model_deviation, part)},
              {"relative_misfit", relative_misfit(fit, part)}}
         );
+        if (!fit.seed_scatter.empty()) {
+            curves.back()["seed_scatter"] = part_of(fit.seed_scatter, part);
+        }
     }
     const bool is_oedometer = fit.target.test == casefile::CalibrateTest::Oedometer;
     return {

@@ -7,6 +7,7 @@
 #include "suffuse/calibration/posterior.hpp"
 #include "suffuse/job/calibrate.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace suffuse::job {
@@ -23,8 +24,7 @@ public:
     /// From all curves that there are. @throws StateError where a target has too few
     void learn(const std::vector<SampleCurve>& curves);
 
-    /// Mean of the fitted targets, and of samples that succeed: errors of the emulators and of small samples are common
-    /// to all tests, which therefore count as one.
+    /// Of the fitted targets together, and of samples that succeed.
     [[nodiscard]] double log_likelihood(const calibration::Point& point) const;
 
     /// Deviation of the emulators over the scatter between samples.
@@ -36,6 +36,10 @@ public:
     /// @param share of the log likelihood that counts
     [[nodiscard]] calibration::Posterior posterior(double share, int samples) const;
 
+    /// Of samples of the posterior. Their information is the smaller one of what the samples show and what the data say
+    /// by themselves.
+    [[nodiscard]] std::vector<calibration::Interval> intervals(const std::vector<calibration::Point>& samples) const;
+
     /// As if what no laboratory measured had been measured at `point`, with the scatter of the rest.
     void measure_all(const calibration::Point& point);
 
@@ -45,8 +49,8 @@ public:
 private:
     struct Known {
         int target;
-        calibration::CurveEmulator emulator;
-        calibration::CurveFit fit;
+        calibration::FittedTest test;
+        calibration::Curve seed_scatter; ///< of each row, between runs of the same unknowns; empty without such runs
         calibration::Feasibility feasibility;
         int samples, failed;
     };
@@ -55,13 +59,15 @@ private:
         return what_.spec.targets[static_cast<std::size_t>(target)];
     }
 
-    [[nodiscard]] calibration::Point own_point(int target, const calibration::Point& point) const;
+    [[nodiscard]] std::vector<int> unknowns_of(int target) const;
     [[nodiscard]] Known known_of(int target, const std::vector<SampleCurve>& curves) const;
     [[nodiscard]] calibration::Measurement all_parts(const Known& known, const calibration::Point& point) const;
+    void fit_all();
 
     const casefile::CalibrationCase& what_;
     const std::vector<LaboratoryCurve>& laboratory_;
     std::vector<Known> targets_;
+    std::optional<calibration::CurveFit> fit_; ///< of all targets
 };
 
 } // namespace suffuse::job
