@@ -41,6 +41,27 @@ protected:
         }
         test::write_to(folder / "t.csv", text);
     }
+
+    /// Of the calibration in "whole", as it ended and as `report` writes it again.
+    void expect_report(const nlohmann::json& answer) {
+        const std::string page = test::read_all(folder / "whole/report.html");
+        EXPECT_NE(page.find("own-calibration-corner"), std::string::npos);
+        EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos);
+        std::filesystem::remove(folder / "whole/report.html");
+        const ProgramResult again = run_suffuse({"report", "whole"});
+        EXPECT_EQ(again.code, 0) << again.error;
+        const std::string second = test::read_all(folder / "whole/report.html");
+        EXPECT_EQ(second.size(), page.size());
+        for (const char* figure : {"intervals", "corner", "fit", "misfits"}) {
+            EXPECT_TRUE(std::filesystem::exists(folder / fmt::format("whole/figures/own-calibration-{}.csv", figure)));
+        }
+        const nlohmann::json listed = run_suffuse({"runs", ".", "--json"}).json().at("runs");
+        ASSERT_EQ(listed.size(), 1U);
+        EXPECT_EQ(listed[0].at("kind"), "calibration");
+        EXPECT_EQ(listed[0].at("state"), "done");
+        EXPECT_EQ(listed[0].at("verdict"), answer.at("verdict"));
+        EXPECT_EQ(listed[0].at("samples").at("total"), answer.at("samples").size());
+    }
 };
 
 TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
@@ -54,6 +75,7 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
         EXPECT_GE(parameter.at("low"), parameter.at("range").at(0)) << key;
         EXPECT_LE(parameter.at("high"), parameter.at("range").at(1)) << key;
     }
+    expect_report(answer);
     const ProgramResult none =
         run_suffuse({"calibrate", "case.toml", "-o", "part", "--no-cache", "--time-limit", "1ms"});
     EXPECT_EQ(none.code, 75) << none.error;
@@ -63,6 +85,10 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     ASSERT_EQ(rest.code, 0) << rest.error;
     EXPECT_EQ(rest.json(), answer);
     EXPECT_EQ(test::read_all(folder / "part/posterior.csv"), test::read_all(folder / "whole/posterior.csv"));
+    const ProgramResult same = run_suffuse({"compare", "whole", "part", "--json"});
+    EXPECT_EQ(same.code, 0) << same.error;
+    EXPECT_EQ(same.json().at("differences").size(), 0U);
+    EXPECT_EQ(same.json().at("numbers"), 11) << "three of each parameter, and a misfit of each curve";
 }
 
 TEST_F(CalibrateVerb, ShowsItsPriceAndRunsNothing) {

@@ -11,6 +11,8 @@
 #include "suffuse/io/folders.hpp"
 #include "suffuse/job/calibrate.hpp"
 #include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_report.hpp"
+#include "suffuse/job/calibration_words.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/folder.hpp"
@@ -22,6 +24,7 @@
 #include "apps/conduct_job.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
+#include "apps/page_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include <algorithm>
 #include <set>
@@ -41,7 +44,7 @@ Job job_of(const CalibrationJob& calibration, const casefile::Case& samples, con
 
 /// The case as it was when the calibration began. @throws UsageError where it has changed since
 void keep_case(const CalibrationJob& calibration) {
-    const fs::path kept = calibration.folder / calibration_case_file;
+    const fs::path kept = calibration.folder / job::calibration_case_file;
     const std::string text = read_whole_file(calibration.case_file);
     if (!fs::exists(kept)) {
         io::write_file(kept, text);
@@ -149,6 +152,14 @@ void print_fits(const job::CalibrationResult& result, const Console& console) {
     }
 }
 
+/// The files of the answer, and its report.
+void write_answer(
+    const CalibrationJob& calibration, const casefile::CalibrationCase& what, const job::CalibrationResult& result
+) {
+    job::write_calibration(calibration.folder, what, result);
+    job::write_calibration_report(calibration.folder, page_folder());
+}
+
 int print_answer(const CalibrationJob& job, const job::CalibrationResult& result, const Console& console) {
     const int code = result.is_complete ? static_cast<int>(Done)
                      : stop_flag()      ? signal_exit_code()
@@ -163,17 +174,14 @@ int print_answer(const CalibrationJob& job, const job::CalibrationResult& result
     if (!result.parameters.empty()) {
         print_parameters(result, console);
         print_fits(result, console);
-        console.result("intervals are not validated on samples of grains yet (docs/how-to/calibrate.md)");
+        console.result(fmt::format("{} (docs/how-to/calibrate.md)", job::calibration_caution));
         console.result(fmt::format("for a case: {}", (job.folder / "contact.toml").string()));
+        console.result(fmt::format("report: {}", (job.folder / "report.html").string()));
     }
     return code;
 }
 
 } // namespace
-
-bool is_calibration(const fs::path& folder) {
-    return fs::exists(folder / calibration_case_file);
-}
 
 int check_calibration(const CalibrationJob& calibration, const Console& console) {
     const casefile::CalibrationCase what =
@@ -184,9 +192,13 @@ int check_calibration(const CalibrationJob& calibration, const Console& console)
         "{}: no errors; {}, {}; suffuse calibrate {} runs it", calibration.case_file, plural(targets, "target"),
         plural(unknowns, "unknown"), shell_word(calibration.case_file)
     ));
-    console.document(
-        json_text({{"case", calibration.case_file}, {"errors", 0}, {"targets", targets}, {"unknowns", unknowns}})
-    );
+    console.document(json_text(
+        {{"case", calibration.case_file},
+         {"errors", 0},
+         {"problems", nlohmann::json::array()},
+         {"targets", targets},
+         {"unknowns", unknowns}}
+    ));
     return Done;
 }
 
@@ -213,10 +225,13 @@ int conduct_calibration(const CalibrationJob& calibration, const Console& consol
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
     keep_case(calibration);
     const Stopwatch watch;
-    const auto run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };
-    const job::CalibrationResult result = job::calibrate(what, {calibration.folder, run});
+    job::CalibrationOptions options{calibration.folder, {}};
+    options.run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };
+    options.on_round = [&](const job::CalibrationResult& so_far) { write_answer(calibration, what, so_far); };
+    const job::CalibrationResult result = job::calibrate(what, options);
+    record::keep_provenance(calibration.folder, job::first_round(what), calibration.command, watch.seconds());
     if (!result.parameters.empty()) {
-        job::write_calibration(calibration.folder, what, result);
+        write_answer(calibration, what, result);
         console.document(json_text(job::calibration_json(what, result)));
     }
     return print_answer(calibration, result, console);

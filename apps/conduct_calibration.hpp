@@ -1,6 +1,7 @@
 #pragma once
 // A calibration as the command line runs it: its rounds with their prices and progress, then the answer.
 
+#include "suffuse/job/calibration_files.hpp"
 #include "suffuse/record/stage_cache.hpp"
 
 #include "apps/console.hpp"
@@ -11,11 +12,7 @@
 
 namespace suffuse::apps {
 
-/// A copy of the case in the folder of its calibration.
-inline constexpr const char* calibration_case_file = "calibrate.toml";
-
-/// Whether a calibration began in this folder.
-bool is_calibration(const std::filesystem::path& folder);
+using job::is_calibration;
 
 struct CalibrationJob {
     std::string case_file;

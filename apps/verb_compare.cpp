@@ -4,6 +4,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
+#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/compare_calibrations.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"
 #include "suffuse/record/folder.hpp"
@@ -151,12 +153,33 @@ std::string nothing_shared(const CompareVerb& verb, const record::Comparison& fo
     );
 }
 
-int compare_two(const CompareVerb& verb, const Console& console) {
+double tolerance_of(const CompareVerb& verb) {
     const double tolerance =
         verb.tolerance.empty() ? 0 : quantity_of(verb.tolerance, dimension::none, "--tolerance", true);
     if (!(tolerance >= 0 && tolerance < 1)) {
         throw UsageError(fmt::format("--tolerance {}: from 0 to below 1, or as in 2%", shown(verb.tolerance)));
     }
+    return tolerance;
+}
+
+int compare_two_calibrations(const CompareVerb& verb, const Console& console) {
+    if (!job::is_calibration(verb.first) || !job::is_calibration(verb.second)) {
+        throw UsageError("compare: one folder holds a calibration, the other a run; name two of a kind");
+    }
+    const record::Comparison found = job::compare_calibrations(verb.first, verb.second, tolerance_of(verb));
+    console.result(fmt::format(
+        "the calibrations differ in {} of {}", std::ssize(found.differences), plural(found.numbers, "number")
+    ));
+    for (const std::string& circumstance : found.circumstances) {
+        console.result("  " + circumstance);
+    }
+    console.result(table_of(found.differences, console.is_verbose()));
+    console.document(json_text(found));
+    return found.differences.empty() ? Done : Differs;
+}
+
+int compare_two(const CompareVerb& verb, const Console& console) {
+    const double tolerance = tolerance_of(verb);
     const record::Comparison found = record::compare_runs(verb.first, verb.second, tolerance);
     if (found.stages == 0) {
         console.result(nothing_shared(verb, found));
@@ -220,6 +243,9 @@ int CompareVerb::act(const CommandLine&, const Console& console) const {
     }
     for (const std::string& run : {first, second}) {
         look_at_run(run, io::Purpose::Read, console);
+    }
+    if (!with_paper && (job::is_calibration(first) || job::is_calibration(second))) {
+        return compare_two_calibrations(*this, console);
     }
     return with_paper ? compare_with_paper(*this, console) : compare_two(*this, console);
 }

@@ -1,11 +1,14 @@
 // report: the report of a run once more, without computing.
 
+#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_report.hpp"
 #include "suffuse/job/print_report.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
 
+#include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
 #include "apps/page_folder.hpp"
 #include "apps/run_ending.hpp"
@@ -35,8 +38,31 @@ struct ReportVerb final : Verb {
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 };
 
+/// Prints the report where that is requested, and names it in the document.
+void print_pdf(const fs::path& report, nlohmann::json& document, const Console& console) {
+    const fs::path pdf = fs::path(report).replace_extension(".pdf");
+    job::print_report(report, pdf);
+    console.result(pdf.string());
+    document["pdf"] = pdf.string();
+}
+
+int report_calibration(const ReportVerb& verb, const Console& console) {
+    const job::FolderLock lock(verb.run, console.warner());
+    const fs::path report = job::write_calibration_report(verb.run, page_folder());
+    console.result("written: " + report.string());
+    nlohmann::json document = {{"report", report.string()}};
+    if (verb.prints) {
+        print_pdf(report, document, console);
+    }
+    console.document(json_text(document));
+    return Done;
+}
+
 int ReportVerb::act(const CommandLine& line, const Console& console) const {
     const fs::path folder = run;
+    if (job::is_calibration(folder)) {
+        return report_calibration(*this, console);
+    }
     record::check_is_run(folder); // before the lock, which would leave a file there
     const job::FolderLock lock(folder, console.warner());
     const std::string doubts = record::require_whole_run(folder);
@@ -51,10 +77,7 @@ int ReportVerb::act(const CommandLine& line, const Console& console) const {
         {"flaws", report.flaws},
         {"findings", report.findings}};
     if (prints) {
-        const fs::path pdf = fs::path(report.report).replace_extension(".pdf");
-        job::print_report(report.report, pdf);
-        console.result(pdf.string());
-        document["pdf"] = pdf.string();
+        print_pdf(report.report, document, console);
     }
     console.document(json_text(document));
     return exit_code_of(report);

@@ -37,6 +37,10 @@ export function fitted(chart, width) {
     copy.columns = columns;
     const room = (width - axisRoom - (columns - 1) * panelGap) / columns - 8;
     copy.spec.width = Math.floor(Math.min(copy.spec.width * 1.8, Math.max(120, room)));
+  } else if (copy.vconcat?.some((row) => row.hconcat)) { // panels in rows and columns: square, as wide as the longest row lets them
+    const most = Math.max(...copy.vconcat.map((row) => row.hconcat.length));
+    const side = Math.floor(Math.max(40, Math.min(150, (width - axisRoom) / most - (copy.spacing ?? panelGap))));
+    for (const panel of copy.vconcat.flatMap((row) => row.hconcat)) panel.width = panel.height = side;
   } else {
     for (const part of copy.vconcat ?? [copy]) {
       part.width = Math.floor(Math.max(160, Math.min(part.width * 1.4, width - axisRoom - 12)));

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/casefile/calibrate_fields.hpp"
+#include "suffuse/casefile/calibration_places.hpp"
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/read_toml.hpp"
 #include "suffuse/casefile/refine.hpp"
@@ -172,7 +173,12 @@ Case case_of_samples(const CalibrationCase& what, const std::vector<CalibrationS
         studies.set(study_of(what, sample), study_node(what, sample));
     }
     root.set("study", std::move(studies));
-    return load_case_text(print_file(root), "samples of [calibrate]", what.folder).value;
+    const std::string text = print_file(root);
+    try {
+        return load_case_text(text, "samples of [calibrate]", what.folder).value;
+    } catch (const CaseProblems& problems) {
+        throw CaseProblems(at_users_places(problems.problems, text, what));
+    }
 }
 
 } // namespace suffuse::casefile

@@ -106,6 +106,24 @@ constexpr std::array guides = {
         "own-mobile-sizes", "which sizes move", "Mass of each size of the fines that moves, at some gradients.",
         "[gravity], and a `detach` or `erode` stage"},
     Guide{
+        "own-calibration-intervals", "intervals in their ranges",
+        "90 % interval of each parameter in the range that the case gives it, and the likeliest value.",
+        "a calibration"},
+    Guide{
+        "own-calibration-fit", "fit of the tests",
+        "Curves of the laboratory, the model at the likeliest parameters, and the band of its error.", "a calibration"},
+    Guide{
+        "own-calibration-held-out", "tests that were held out",
+        "Curves that were not fitted, with the mean and the band of samples of the posterior.",
+        "a calibration with targets that are `held_out`"},
+    Guide{
+        "own-calibration-corner", "posterior of each pair of parameters",
+        "Equally likely sets of parameters, each pair of parameters a panel; how often each value occurs.",
+        "a calibration of two parameters or more"},
+    Guide{
+        "own-calibration-misfits", "misfits of the samples",
+        "How far each sample is from its test, over each parameter.", "a calibration"},
+    Guide{
         "own-migration", "fines that leave as the gradient rises",
         "Mass that has crossed the exit, and permeability, at the end of each gradient.", "a `migrate` stage"},
     Guide{

@@ -135,6 +135,9 @@ public:
             }
             knowledge_.learn(curves_);
             const double width = judge();
+            if (options_.on_round) {
+                options_.on_round(result_);
+            }
             const bool has_settled = result_.rounds.size() > 1 &&
                                      width > (1 - least_shrinkage) * result_.rounds[result_.rounds.size() - 2].width;
             const int rounds_left = 1 + rounds_after_first - round;
@@ -162,12 +165,29 @@ private:
         for (record::FailedSample& failure : record::read_failures(round.folder, round.samples)) {
             result_.failures.push_back(std::move(failure));
         }
+        keep_fits(name, curves);
         for (const Design& design : designs) {
             known_points_.push_back(design.point);
         }
         (held_out ? held_out_ : curves_).insert((held_out ? held_out_ : curves_).end(), curves.begin(), curves.end());
         result_.rounds.push_back(done);
         return true;
+    }
+
+    void keep_fits(const std::string& round, const std::vector<SampleCurve>& curves) {
+        for (const SampleCurve& one : curves) {
+            const auto target = static_cast<std::size_t>(one.sample.target);
+            SampleFit& fit = result_.samples.emplace_back();
+            fit.round = round;
+            fit.target = what_.spec.targets[target].name;
+            fit.design = one.sample.number;
+            fit.values = casefile::values_of(what_, one.sample);
+            if (!one.curve.empty()) {
+                fit.misfit = misfit_of(one.curve, laboratory_[target]);
+            } else {
+                fit.failure = one.failure.empty() ? "its curve ends before that of the test" : one.failure;
+            }
+        }
     }
 
     /// What the parameters are now. @return the mean width of their intervals
@@ -197,6 +217,7 @@ private:
         }
         result_.fits = knowledge_.fits(best_);
         result_.rounds.back().width = mean_width(intervals);
+        result_.rounds.back().parameters = result_.parameters;
         return result_.rounds.back().width;
     }
 

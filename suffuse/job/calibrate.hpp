@@ -5,6 +5,7 @@
 #include "suffuse/calibration/interval.hpp"
 #include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/job/laboratory_curve.hpp"
+#include "suffuse/job/sample_fit.hpp"
 #include "suffuse/record/run_outcome.hpp"
 
 #include <filesystem>
@@ -23,10 +24,14 @@ struct CalibrationRound {
     std::filesystem::path folder; ///< of the run, in that of the calibration
 };
 
+struct CalibrationResult;
+
 struct CalibrationOptions {
     std::filesystem::path folder;
     /// Runs the samples; failures of single ones are no error. @return false where it was stopped before its end
     std::function<bool(const CalibrationRound&)> run;
+    /// Sees what is known after each round but the last; may be empty.
+    std::function<void(const CalibrationResult&)> on_round = {};
 };
 
 struct SampleCurve {
@@ -62,7 +67,8 @@ struct ParameterResult {
 
 struct RoundResult {
     int designs = 0, samples = 0, failed = 0;
-    double width = 1; ///< mean of the intervals / those of the prior, after it
+    double width = 1;                             ///< mean of the intervals / those of the prior, after it
+    std::vector<ParameterResult> parameters = {}; ///< after it; of held-out tests none
 };
 
 struct CalibrationResult {
@@ -74,6 +80,7 @@ struct CalibrationResult {
     std::vector<TargetFit> fits; ///< held-out targets last
     std::vector<RoundResult> rounds;
     std::vector<record::FailedSample> failures;
+    std::vector<SampleFit> samples; ///< in the order in which they were run
 };
 
 /// Runs round after round until the intervals stop shrinking or the samples of the case are spent. The same case gives

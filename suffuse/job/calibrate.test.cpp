@@ -154,6 +154,13 @@ TEST_F(Calibrate, FindsTheParametersOfTheLawAndPredictsAHeldOutTest) {
     }
     EXPECT_LE(designs, 40);
     EXPECT_EQ(simulated, 2 * designs + 8);
+    ASSERT_EQ(std::ssize(result.samples), simulated);
+    EXPECT_EQ(result.samples.front().round, "round-1");
+    EXPECT_EQ(result.samples.back().round, "held-out");
+    const auto nearest = std::ranges::min_element(result.samples, {}, &SampleFit::misfit);
+    EXPECT_LT(nearest->misfit, 0.1) << "of a sample";
+    EXPECT_LT(std::abs(nearest->values[0] - true_friction), 0.1);
+    EXPECT_EQ(result.rounds.back().parameters.size(), 3U);
     EXPECT_LT(result.rounds.back().width, 0.1) << "a scatter of 3 % over ranges in which the curves change by a factor";
 }
 
@@ -165,6 +172,10 @@ TEST_F(Calibrate, TakesFailedSamplesAsData) {
     EXPECT_GT(result.fits[1].failed, result.fits[0].failed);
     EXPECT_GT(result.fits[0].failed, 0);
     EXPECT_EQ(result.failures.size(), static_cast<std::size_t>(result.fits[0].failed + result.fits[1].failed));
+    EXPECT_EQ(
+        std::ranges::count(result.samples, "the void ratio was not met", &SampleFit::failure),
+        std::ssize(result.failures)
+    );
     int later = 0; // almost none where samples were known to fail
     for (std::size_t k = 1; k < result.rounds.size(); ++k) {
         later += result.rounds[k].failed;
@@ -248,6 +259,21 @@ TEST_F(Calibrate, GivesWhatItKnowsWhereItIsStopped) {
     EXPECT_FALSE(early.is_complete);
     EXPECT_EQ(early.rounds.size(), 1U);
     EXPECT_EQ(early.parameters.size(), 3U);
+}
+
+TEST_F(Calibrate, ShowsWhatItKnowsAfterEachRound) {
+    const auto what = load(two_pressures, record_of({100e3, 400e3, 200e3}, true));
+    std::vector<std::size_t> seen;
+    CalibrationOptions options{folder / "seen", [&](const CalibrationRound& round) { return pretend(round); }};
+    options.on_round = [&](const CalibrationResult& so_far) {
+        EXPECT_FALSE(so_far.is_complete);
+        EXPECT_EQ(so_far.parameters.size(), 3U);
+        seen.push_back(so_far.samples.size());
+    };
+    const CalibrationResult result = calibrate(what, options);
+    EXPECT_EQ(seen.size(), result.rounds.size());
+    EXPECT_TRUE(std::ranges::is_sorted(seen));
+    EXPECT_EQ(seen.front(), 2U * static_cast<std::size_t>(result.rounds.front().designs));
 }
 
 TEST_F(Calibrate, GivesTheSameBitsAgain) {

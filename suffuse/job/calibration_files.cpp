@@ -4,6 +4,7 @@
 #include "suffuse/casefile/node.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 #include "suffuse/io/atomic_file.hpp"
+#include "suffuse/job/calibration_words.hpp"
 #include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace suffuse::job {
 namespace {
@@ -22,6 +24,16 @@ constexpr std::string_view contact_prefix = "contact.";
 std::string_view key_of(Remedy remedy) {
     constexpr std::array<std::string_view, 4> keys = {"", "volumetric_strain", "other_pressure", "oedometer"};
     return keys[static_cast<std::size_t>(remedy)];
+}
+
+/// The unit in which the range was written, and how large it is in SI.
+std::pair<std::string, double> unit_of(const casefile::CalibrateUnknown& unknown) {
+    if (unknown.dimension == dimension::none) {
+        return {"", 1};
+    }
+    const std::string text = casefile::written(unknown.low); // a text: it has a dimension
+    const std::string unit = text.substr(std::min(text.find_first_not_of("0123456789.eE+- _"), text.size()));
+    return {unit, parse_unit(unit, unknown.dimension)};
 }
 
 json parameter_json(const ParameterResult& parameter) {
@@ -37,6 +49,7 @@ json parameter_json(const ParameterResult& parameter) {
         {"logarithmic", parameter.unknown.is_log},
         {"relative_width", parameter.interval.width},
         {"information", parameter.interval.information}};
+    std::tie(one["unit"], one["unit_size"]) = unit_of(parameter.unknown);
     if (bound != calibration::Bound::None) {
         one["bound"] = bound == calibration::Bound::Low ? "low" : "high";
     }
@@ -78,6 +91,32 @@ json fit_json(const TargetFit& fit) {
         {"failed", fit.failed}};
 }
 
+json round_json(const RoundResult& round) {
+    json parameters = json::object();
+    for (const ParameterResult& p : round.parameters) {
+        parameters[p.unknown.key] = {{"best", p.best}, {"low", p.low}, {"high", p.high}};
+    }
+    return {
+        {"designs", round.designs},
+        {"samples", round.samples},
+        {"failed", round.failed},
+        {"relative_width", round.width},
+        {"parameters", std::move(parameters)}};
+}
+
+json sample_json(const SampleFit& sample, const std::vector<ParameterResult>& parameters) {
+    json one = {{"round", sample.round}, {"target", sample.target}, {"design", sample.design}};
+    if (sample.failure.empty()) {
+        one["misfit"] = sample.misfit;
+    } else {
+        one["failure"] = sample.failure;
+    }
+    for (std::size_t k = 0; k < parameters.size(); ++k) {
+        one["values"][parameters[k].unknown.key] = sample.values[k];
+    }
+    return one;
+}
+
 /// As a case has it: what has a unit is a text.
 std::string written(const casefile::CalibrateUnknown& unknown, double value) {
     const std::string text = shown_value(unknown, value);
@@ -86,21 +125,34 @@ std::string written(const casefile::CalibrateUnknown& unknown, double value) {
 
 } // namespace
 
+bool is_calibration(const std::filesystem::path& folder) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(folder / calibration_case_file, error);
+}
+
+std::vector<std::filesystem::path> rounds_of(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> rounds;
+    for (int number = 1;; ++number) {
+        std::filesystem::path round = folder / fmt::format("round-{}", number);
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(round / record::resolved_case_file, error)) {
+            break;
+        }
+        rounds.push_back(std::move(round));
+    }
+    if (std::filesystem::path last = folder / "held-out"; std::filesystem::exists(last / record::resolved_case_file)) {
+        rounds.push_back(std::move(last));
+    }
+    return rounds;
+}
+
 std::string_view words_of(Remedy remedy) {
-    constexpr std::array<std::string_view, 4> words = {
-        "", "the volumetric strain of these tests",
-        "the same test at another pressure, four times as high or a quarter",
-        "an oedometer test, or isotropic compression"};
-    return words[static_cast<std::size_t>(remedy)];
+    return remedy_in_words(key_of(remedy));
 }
 
 std::string shown_value(const casefile::CalibrateUnknown& unknown, double value) {
-    if (unknown.dimension == dimension::none) {
-        return fmt::format("{:.4g}", value);
-    }
-    const std::string text = casefile::written(unknown.low); // a text: it has a dimension
-    const std::string unit = text.substr(std::min(text.find_first_not_of("0123456789.eE+- "), text.size()));
-    return fmt::format("{:.4g} {}", value / parse_unit(unit, unknown.dimension), unit);
+    const auto [unit, size] = unit_of(unknown);
+    return fmt::format("{:.4g}{}{}", value / size, unit.empty() ? "" : " ", unit);
 }
 
 double relative_misfit(const TargetFit& fit, std::size_t part) {
@@ -127,6 +179,7 @@ json calibration_json(const casefile::CalibrationCase& what, const CalibrationRe
         {"fit", json::array()},
         {"held_out", json::array()},
         {"rounds", json::array()},
+        {"samples", json::array()},
         {"failures", result.failures},
         {"contact", contact_block(what, result)}};
     for (std::size_t a = 0; a < result.parameters.size(); ++a) {
@@ -140,13 +193,12 @@ json calibration_json(const casefile::CalibrationCase& what, const CalibrationRe
         document[fit.target.is_held_out ? "held_out" : "fit"].push_back(fit_json(fit));
     }
     for (const RoundResult& round : result.rounds) {
-        document["rounds"].push_back(
-            {{"designs", round.designs},
-             {"samples", round.samples},
-             {"failed", round.failed},
-             {"relative_width", round.width}}
-        );
+        document["rounds"].push_back(round_json(round));
     }
+    for (const SampleFit& sample : result.samples) {
+        document["samples"].push_back(sample_json(sample, result.parameters));
+    }
+    document["verdict"] = verdict_of(document);
     return document;
 }
 
@@ -198,9 +250,9 @@ std::string contact_block(const casefile::CalibrationCase& what, const Calibrati
 void write_calibration(
     const std::filesystem::path& folder, const casefile::CalibrationCase& what, const CalibrationResult& result
 ) {
-    io::write_file(folder / "posterior.csv", posterior_csv(result));
+    io::write_file(folder / posterior_file, posterior_csv(result));
     io::write_file(folder / "contact.toml", contact_block(what, result));
-    record::write_json(folder / "calibration.json", calibration_json(what, result));
+    record::write_json(folder / calibration_file, calibration_json(what, result));
 }
 
 } // namespace suffuse::job

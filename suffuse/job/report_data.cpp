@@ -198,6 +198,18 @@ std::vector<report::Call> calls_in(const json& provenance) {
 
 } // namespace
 
+void take_provenance(report::ReportData& data, const std::filesystem::path& folder, const json& provenance) {
+    record::take_from(folder / record::provenance_file, [&] {
+        for (const auto& [key, value] : provenance.items()) {
+            if (key != "calls") { // a table of their own
+                data.provenance.emplace_back(key, provenance_text(value));
+            }
+        }
+        data.calls = calls_in(provenance);
+        data.cited = {provenance_text(provenance.at("version")), provenance_text(provenance.at("commit")), true};
+    });
+}
+
 report::ReportData describe_run(
     const study::RunResults& results, const std::filesystem::path& folder, const json& provenance, RunRemarks remarks
 ) {
@@ -291,13 +303,7 @@ report::ReportData describe_run(
     for (const record::FinishedStage& stage : stages) {
         data.stages.push_back(stage_row(what, stage));
     }
-    for (const auto& [key, value] : provenance.items()) {
-        if (key != "calls") { // a table of their own
-            data.provenance.emplace_back(key, provenance_text(value));
-        }
-    }
-    data.calls = record::take_from(folder / record::provenance_file, [&] { return calls_in(provenance); });
-    data.cited = {provenance_text(provenance.at("version")), provenance_text(provenance.at("commit")), true};
+    take_provenance(data, folder, provenance);
     data.redraw = "suffuse report " + shell_word(folder.string());
     return data;
 }

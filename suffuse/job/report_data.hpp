@@ -25,4 +25,7 @@ report::ReportData describe_run(
     RunRemarks remarks
 );
 
+/// Fills in what is known of how it was made. @throws IoError where provenance.json of the folder is damaged
+void take_provenance(report::ReportData& data, const std::filesystem::path& folder, const nlohmann::json& provenance);
+
 } // namespace suffuse::job

@@ -3,7 +3,9 @@
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/casefile/load_case.hpp"
+#include "suffuse/job/calibration_files.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -86,6 +88,32 @@ ListedRun describe(const fs::path& run) {
     return listed;
 }
 
+/// Samples that fail are data of a calibration: it is done all the same.
+ListedRun list_calibration(const fs::path& run) {
+    const json answer = read_or_empty(run / calibration_file),
+               provenance = read_or_empty(run / record::provenance_file);
+    ListedRun listed;
+    listed.is_calibration = true;
+    listed.name = run.filename().string();
+    try {
+        listed.title = answer.contains("title")
+                           ? value_or(answer, "title", std::string())
+                           : casefile::load_calibration((run / calibration_case_file).string()).title;
+    } catch (const Error&) { // its records lie next to the case that began it
+        listed.title = "calibration";
+    }
+    listed.state = is_at_work(run) ? "at work" : value_or(answer, "complete", false) ? "done" : "not complete";
+    for (const json& sample : value_or(answer, "samples", json::array())) {
+        ++listed.samples;
+        listed.done += sample.contains("misfit") ? 1 : 0;
+    }
+    listed.seconds = value_or(provenance, "wall_seconds", 0.0);
+    listed.finished = value_or(provenance, "finished", std::string());
+    listed.commit = value_or(provenance, "commit", std::string());
+    listed.verdict = value_or(answer, "verdict", std::vector<std::string>());
+    return listed;
+}
+
 /// Whether `a` stands before `b`.
 bool comes_before(const ListedRun& a, const ListedRun& b, RunOrder order) {
     switch (order) {
@@ -137,7 +165,9 @@ std::vector<ListedRun> list_runs(const fs::path& folder, RunOrder order) {
     }
     std::vector<ListedRun> runs;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        if (entry.is_directory(error) && fs::exists(entry.path() / record::resolved_case_file, error)) {
+        if (entry.is_directory(error) && is_calibration(entry.path())) {
+            runs.push_back(list_calibration(entry.path()));
+        } else if (entry.is_directory(error) && fs::exists(entry.path() / record::resolved_case_file, error)) {
             runs.push_back(describe(entry.path()));
         }
     }
@@ -188,6 +218,7 @@ json json_of(const std::vector<ListedRun>& runs) {
         list.push_back(
             {{"name", run.name},
              {"title", run.title},
+             {"kind", run.is_calibration ? "calibration" : "run"},
              {"state", run.state},
              {"samples", {{"total", run.samples}, {"done", run.done}}},
              {"wall_seconds", run.seconds},

@@ -31,8 +31,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::array<const char*, 6> figure_sections = {"Samples", "Soils", "Fines and structure",
-                                                    "Tests",   "Water", "Erosion"};
+const std::array<const char*, 8> figure_sections = {"Parameters",          "Fit",   "Samples", "Soils",
+                                                    "Fines and structure", "Tests", "Water",   "Erosion"};
 
 /// What page/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
 struct PageScript {
@@ -115,7 +115,7 @@ private:
 /// Tables and figures of one of the sections that a case may fill; empty where it has none.
 std::string content_of(const std::string& name, const ReportData& report, Numbering& numbering) {
     const std::vector<const figures::Figure*> shown = opening_figures(report);
-    std::string tables, figures;
+    std::string tables, figures, texts;
     for (const figures::PageTable& table : report.tables) {
         tables += table.section == name ? table_block(table, numbering) : "";
     }
@@ -123,7 +123,14 @@ std::string content_of(const std::string& name, const ReportData& report, Number
         const bool is_shown = std::ranges::count(shown, &figure) > 0;
         figures += figure.section == name && !is_shown ? figure_block(figure, report, numbering) : "";
     }
-    return tables + (figures.empty() ? "" : "<div class=\"figures\">\n" + figures + "</div>\n");
+    for (const TextBlock& block : report.texts) {
+        texts += block.section != name
+                     ? ""
+                     : fmt::format(
+                           "<h3>{}</h3>\n<pre class=\"block\">{}</pre>\n", typeset(block.title), escaped(block.text)
+                       );
+    }
+    return tables + (figures.empty() ? "" : "<div class=\"figures\">\n" + figures + "</div>\n") + texts;
 }
 
 /// Specification and numbers of each chart, for the page's script.

@@ -40,6 +40,12 @@ struct Call {
     double seconds = 0;
 };
 
+/// Lines to copy, such as a block for a case.
+struct TextBlock {
+    std::string section, title;
+    std::string text;
+};
+
 struct ReportData {
     std::string title;           ///< of the case
     std::string project, author; ///< as the case gives them; may be empty
@@ -56,6 +62,7 @@ struct ReportData {
     std::vector<AssumedValue> assumed;
     /// Each stands before the figures of its section.
     std::vector<figures::PageTable> tables;
+    std::vector<TextBlock> texts;         ///< each after the figures of its section
     std::vector<figures::Figure> figures; ///< in the order in which they are shown
     Scene scene;                          ///< without states: no section "In 3D"
     std::vector<StageRow> stages;
