@@ -85,7 +85,14 @@ nlohmann::json describe(const TestRecord& record, const std::string& file, const
         {"decided", nlohmann::json::array()},
         {"assumed", nlohmann::json::array()}};
     for (const NamedTest& test : record.tests) {
-        json["tests"].push_back({{"name", test.name}, {"rows", test.end - test.begin}});
+        nlohmann::json first = nlohmann::json::object(), last = first;
+        for (const TestColumn& column : record.columns) {
+            const std::string role(laboratory::row_of(column.quantity).key);
+            first[role] = column.values[test.begin];
+            last[role] = column.values[test.end - 1];
+        }
+        json["tests"].push_back({{"name", test.name}, {"rows", test.end - test.begin}, {"first", first}, {"last", last}}
+        );
     }
     for (const TestColumn& column : record.columns) {
         json["columns"].push_back(describe_column(column));

@@ -1,6 +1,7 @@
 // A case: made from a curve or an example, checked, priced, and started as a run.
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/job/run_folder.hpp"
@@ -69,6 +70,14 @@ void check(const httplib::Request& request, httplib::Response& response) {
     answer_call(response, call_program(words, folder.path()));
 }
 
+/// How the record of a laboratory's tests is understood.
+void read_record(const httplib::Request& request, httplib::Response& response) {
+    const ScratchFolder folder;
+    std::vector<std::string> words{"import", take_upload(request, "record", folder.path())};
+    add_options(request, {"kind", "contraction"}, words);
+    answer_call(response, call_program(words, folder.path()));
+}
+
 void plan(const httplib::Request& request, httplib::Response& response, const Studio& studio) {
     const ScratchFolder folder;
     take_case(request, folder.path());
@@ -81,7 +90,7 @@ void plan(const httplib::Request& request, httplib::Response& response, const St
 double memory_in_use(const fs::path& folder) {
     double bytes = 0;
     for (const fs::path& run : runs_at_work(folder)) {
-        if (const fs::path file = run / "plan.json"; fs::is_regular_file(fs::symlink_status(file))) {
+        if (const fs::path file = work_folder(run) / "plan.json"; fs::is_regular_file(fs::symlink_status(file))) {
             const json kept = json::parse(read_whole_file(file.string()), nullptr, false);
             bytes += kept.is_object() ? kept.value("memory", 0.0) : 0.0;
         }
@@ -91,8 +100,9 @@ double memory_in_use(const fs::path& folder) {
 
 /// @throws Refusal 409 where it would not fit next to what runs.
 void require_memory(const fs::path& folder, const json& plan) {
-    const double used = memory_in_use(folder), needed = plan.value("memory", 0.0),
-                 most = plan.value("memory_limit", 0.0);
+    const json& samples = plan.contains("first_round") ? plan.at("first_round") : plan; // of a calibration: all alike
+    const double used = memory_in_use(folder), needed = samples.value("memory", 0.0),
+                 most = samples.value("memory_limit", 0.0);
     if (used > 0 && used + needed > most) {
         throw Refusal(
             409, fmt::format(
@@ -112,14 +122,14 @@ void start_and_watch(
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     int status = 0;
     bool has_ended = false;
-    while (!has_ended && !(job::is_at_work(run) && fs::exists(run / "progress.json")) &&
+    while (!has_ended && !(job::is_at_work(run) && fs::exists(work_folder(run) / "progress.json")) &&
            std::chrono::steady_clock::now() < end) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         has_ended = waitpid(child, &status, WNOHANG) == child;
     }
     if (!has_ended) {
         std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // so that it leaves the list of processes
-    } else if (!fs::exists(run / "events.jsonl")) {
+    } else if (!fs::exists(work_folder(run) / "events.jsonl")) {
         const std::string text = read_whole_file(log.string());
         constexpr std::size_t most = 4000;
         throw Refusal(422, text.substr(text.size() - std::min(most, text.size())));
@@ -145,9 +155,11 @@ void start(const httplib::Request& request, httplib::Response& response, Studio&
     const fs::path folder = studio.folder / "cases" / run.filename(); // next to the runs, and kept with them
     io::make_folders(folder);
     take_case(request, folder);
+    const bool is_calibration = casefile::calibrates((folder / "case.toml").string()); // which knows no preset
     std::vector<std::string> words{
-        "run", (fs::path("cases") / run.filename() / "case.toml").string(), "--output=" + run.filename().string()};
-    words.insert(words.end(), preset.begin(), preset.end());
+        is_calibration ? "calibrate" : "run", (fs::path("cases") / run.filename() / "case.toml").string(),
+        "--output=" + run.filename().string()};
+    add_options(request, {is_calibration ? "time-limit" : "preset"}, words);
     start_and_watch(studio, words, run, folder / "log.txt");
     answer(response, 201, {{"run", run.filename().string()}});
 }
@@ -160,7 +172,7 @@ void resume(const httplib::Request& request, httplib::Response& response, Studio
     }
     const fs::path log = studio.folder / "cases" / run.filename() / "log.txt";
     io::make_folders(log.parent_path());
-    fs::remove(run / "progress.json"); // of the call before
+    fs::remove(work_folder(run) / "progress.json"); // of the call before
     start_and_watch(studio, {"resume", run.filename().string()}, run, log);
     answer(response, 201, {{"run", run.filename().string()}});
 }
@@ -179,6 +191,7 @@ void add_case_routes(httplib::Server& server, Studio& studio) {
     });
     server.Post("/api/new", make_case);
     server.Post("/api/check", check);
+    server.Post("/api/record", read_record);
     server.Post("/api/plan", [&](const auto& request, auto& response) { plan(request, response, studio); });
     server.Post("/api/start", [&](const auto& request, auto& response) { start(request, response, studio); });
     server.Post("/api/runs/([^/]+)/resume", [&](const auto& request, auto& response) {

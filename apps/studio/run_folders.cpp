@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/job/calibration_files.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -56,6 +57,12 @@ void for_each_file(const fs::path& run, const std::function<void(const fs::path&
     }
 }
 
+/// Whether a run or a calibration began in this folder.
+bool holds_run(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_regular_file(folder / record::resolved_case_file, error) || job::is_calibration(folder);
+}
+
 } // namespace
 
 fs::path find_below(const fs::path& root, const std::string& name) {
@@ -72,8 +79,7 @@ fs::path find_below(const fs::path& root, const std::string& name) {
 fs::path find_run(const fs::path& root, const std::string& name) {
     fs::path found = find_below(root, name);
     const bool is_child = found.parent_path() == fs::canonical(root) && found.filename() == name;
-    std::error_code error;
-    if (!is_child || !fs::is_regular_file(found / record::resolved_case_file, error)) {
+    if (!is_child || !holds_run(found)) {
         throw Refusal(404, "there is no such run in the studio's folder");
     }
     return found;
@@ -83,7 +89,7 @@ std::vector<std::string> run_names(const fs::path& root) {
     std::vector<std::pair<fs::file_time_type, std::string>> found;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
-        if (!entry.is_symlink() && fs::is_regular_file(entry.path() / record::resolved_case_file, error)) {
+        if (!entry.is_symlink() && holds_run(entry.path())) {
             found.emplace_back(entry.last_write_time(error), entry.path().filename().string());
         }
     }
@@ -94,6 +100,11 @@ std::vector<std::string> run_names(const fs::path& root) {
         names.push_back(std::move(name));
     }
     return names;
+}
+
+fs::path work_folder(const fs::path& run) {
+    const std::vector<fs::path> rounds = job::is_calibration(run) ? job::rounds_of(run) : std::vector<fs::path>();
+    return rounds.empty() ? run : rounds.back();
 }
 
 std::vector<std::string> finished_stages(const fs::path& run) {

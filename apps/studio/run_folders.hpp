@@ -13,11 +13,14 @@ namespace suffuse::studio {
 /// A file or folder below `root`, after all links. @throws Refusal 404 where there is none, or it is elsewhere.
 std::filesystem::path find_below(const std::filesystem::path& root, const std::string& name);
 
-/// The folder of a run. @throws Refusal 404 where there is no such run.
+/// The folder of a run, or of a calibration. @throws Refusal 404 where there is no such run.
 std::filesystem::path find_run(const std::filesystem::path& root, const std::string& name);
 
 /// Names of all runs, the one last changed first: without a look at what they found, which takes seconds for thousands.
 std::vector<std::string> run_names(const std::filesystem::path& root);
+
+/// Where what is at work leaves its plan and its progress: the folder of a run, or of the last round of a calibration.
+std::filesystem::path work_folder(const std::filesystem::path& run);
 
 /// The finished stages of a run, as folders below studies/: "sand/friction=20deg/rep=1/initial". Those of a sweep's
 /// tasks, too, which leave no events in the run's folder. Links are not followed.

@@ -1,6 +1,7 @@
 // The runs of the folder: the list, one of them, its files, two compared; stopped, printed, removed.
 
 #include "suffuse/base/read_text.hpp"
+#include "suffuse/job/calibration_files.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -47,8 +48,29 @@ json events_of(const fs::path& run) {
     return events;
 }
 
+/// The rounds of a calibration, and when its answer was written; null for another run.
+json calibration_in(const fs::path& run) {
+    if (!job::is_calibration(run)) {
+        return nullptr;
+    }
+    json rounds = json::array();
+    for (const fs::path& round : job::rounds_of(run)) {
+        const json plan = read_of(round, "plan.json"),
+                   stages = plan.is_object() ? plan.value("stages", json()) : json();
+        rounds.push_back(
+            {{"name", round.filename().string()}, {"stages", stages.size()}, {"done", finished_stages(round).size()}}
+        );
+    }
+    json found{{"rounds", rounds}, {"answered", nullptr}};
+    std::error_code error;
+    if (const auto written = fs::last_write_time(run / job::calibration_file, error); !error) {
+        found["answered"] = written.time_since_epoch().count();
+    }
+    return found;
+}
+
 void show_run(const httplib::Request& request, httplib::Response& response, const Studio& studio) {
-    const fs::path run = find_run(studio.folder, request.matches[1]);
+    const fs::path run = find_run(studio.folder, request.matches[1]), work = work_folder(run);
     const bool is_at_work = job::is_at_work(run); // before the events: what ends meanwhile has written its last
     answer(
         response, 200,
@@ -56,9 +78,10 @@ void show_run(const httplib::Request& request, httplib::Response& response, cons
          {"at_work", is_at_work},
          {"can_stop", is_at_work && process_of(run).has_value()},
          {"can_delete", !is_at_work && fs::is_regular_file(run / record::provenance_file)},
-         {"progress", read_of(run, "progress.json")},
-         {"plan", read_of(run, "plan.json")},
-         {"events", events_of(run)},
+         {"progress", read_of(work, "progress.json")},
+         {"plan", read_of(work, "plan.json")},
+         {"events", events_of(work)},
+         {"calibration", calibration_in(run)},
          {"done", finished_stages(run)},
          {"tasks", fs::is_regular_file(fs::symlink_status(run / "sweep.sbatch"))},
          {"report", fs::is_regular_file(run / "report.html")}}

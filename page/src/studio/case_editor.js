@@ -82,7 +82,7 @@ export class CaseEditor {
       this.showProblems(checked.result.problems);
       const { result } = await post("/api/plan", this.fields(), signal);
       trouble();
-      this.showPlan(result);
+      this.showPlan(result.first_round ? { ...result.first_round, first: result.first_round, ...result } : result); // of a calibration: its samples are alike
     } catch (error) {
       if (error.name === "AbortError") throw error;
       this.showPlan(null, error.problems?.length ? [] : [error.message]);
@@ -107,10 +107,10 @@ export class CaseEditor {
   }
 
   /** Starts it as a run. @return the run's name; nothing where it could not be started */
-  async start(tab) {
+  async start(tab, more = {}) {
     const note = this.at("start-note");
     note.textContent = "Starting …";
-    const answer = await this.request("/api/start", {}, this.at("start"));
+    const answer = await this.request("/api/start", more, this.at("start"));
     note.innerHTML = answer ? `Started: <a href="#${tab}/${encodeURIComponent(answer.run)}">${escaped(answer.run)}</a>. It goes on if this page is closed.` : "";
     return answer?.run;
   }

@@ -1,6 +1,7 @@
 // One run: live while it works, with what its stages measure; its report when it has ended.
 import { bytes, escaped, seconds, secondsRange, three, trouble } from "./words.js";
 import { get, post, runPath } from "./server.js";
+import { fitSoFar, outcomeOf, readAnswer, roundsTable } from "./calibration_view.js";
 import { GrainsView } from "./grains_view.js";
 import { curveSoFar } from "./curve_so_far.js";
 import { lineChart, seriesChart } from "./line_chart.js";
@@ -38,6 +39,8 @@ export class RunView {
     this.name = name;
     this.seen = new Map(); // stage -> states that were polled
     this.measured = new Map(); // stage -> numbers of its stage.json
+    this.answer = null; // of a calibration
+    this.answered = null; // when that was written
     this.isReportShown = false;
     this.hasWorked = false;
     this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
@@ -80,6 +83,10 @@ export class RunView {
       this.seen.set(key, states);
     }
     await measure(run, this.measured);
+    if (run.calibration && run.calibration.answered !== this.answered) {
+      this.answer = await readAnswer(run.name);
+      this.answered = run.calibration.answered;
+    }
   }
 
   draw(run) {
@@ -88,12 +95,13 @@ export class RunView {
     const done = new Map(events.filter((e) => e.event === "stage done").map((e) => [e.stage, e.wall_seconds]));
     const failed = new Map(events.slice(begun + 1).filter((e) => e.event === "stage fails").map((e) => [e.stage, e.what ?? ""]));
     const running = new Set((progress?.running ?? []).map((p) => `${p.study}/${p.stage}`));
-    const outcome = last?.event === "run ends" ? last.outcome : "";
+    const outcome = run.calibration ? (run.at_work ? "" : outcomeOf(this.answer, last)) : last?.event === "run ends" ? last.outcome : "";
+    const round = run.calibration?.rounds.at(-1)?.name;
     const latest = progress?.latest;
     const share = latest?.stages ? latest.stages_done / latest.stages : 0;
     this.find(".state").innerHTML = run.at_work
-      ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts"><span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
-      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}, after ${seconds(last.wall_seconds)}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
+      ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts">${round ? `<span>round <b>${escaped(round)}</b></span>` : ""}<span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
+      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}${run.calibration ? "" : `, after ${seconds(last.wall_seconds)}`}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
     this.grains.isAtWork = run.at_work;
     this.buttons(run, outcome);
     this.body(run, { done, failed, running });
@@ -105,7 +113,10 @@ export class RunView {
     this.find(".grains").hidden = isReported; // the report has its own view
     const stages = run.plan?.stages ?? [];
     const state = (key) => (failed.has(key) ? ["no", "✗ failed"] : done.has(key) ? ["ok", `✓ ${seconds(done.get(key))}`] : running.has(key) && run.at_work ? ["", "at work"] : ["un", "waits"]);
-    if (!isReported) {
+    if (!isReported && run.calibration) {
+      this.find(".stages").innerHTML = roundsTable(run);
+      this.find(".charts").innerHTML = fitSoFar(this.answer, this.place.clientWidth);
+    } else if (!isReported) {
       this.find(".stages").innerHTML = `<table><thead><tr><th>stage</th><th>does</th><th class="n">planned</th><th>state</th></tr></thead><tbody>${stages.map((s) => {
         const key = `${s.study}/${s.stage}`, [kind, text] = state(key);
         return `<tr><td>${escaped(key)}<small>${escaped(failed.get(key) ?? "")}</small></td><td>${escaped(s.verb)}</td><td class="n">${secondsRange(s.seconds)}</td><td class="${kind}">${text}</td></tr>`;

@@ -3,6 +3,8 @@ import { $, escaped, list, secondsRange, trouble } from "./words.js";
 import { get, post } from "./server.js";
 import { CaseEditor } from "./case_editor.js";
 import { RunView } from "./run_view.js";
+import { calibrationLimits, connectCalibration } from "./calibrate_form.js";
+import { calibrates } from "./calibrate_text.js";
 import { connectTests, offerTests } from "./test_form.js";
 import { conditionFields, curveFields, showSizes, soil } from "./soil.js";
 
@@ -13,7 +15,9 @@ export const titles = {
 };
 let view, editor;
 
-const planned = (plan) => `<table><thead><tr><th>stage</th><th class="n">grains</th><th class="n">time</th></tr></thead><tbody>${plan.stages.map((s) =>
+const plannedSamples = (plan) => `<p class="cap">First round: ${plan.first.studies} samples, ${secondsRange(plan.first.seconds)}. All rounds: at most ${plan.samples} samples, and those of the tests held out.</p>`;
+
+const planned = (plan) => plan.first ? plannedSamples(plan) : `<table><thead><tr><th>stage</th><th class="n">grains</th><th class="n">time</th></tr></thead><tbody>${plan.stages.map((s) =>
   `<tr><td>${escaped(`${s.study}/${s.stage}`)}<small>${escaped(s.verb)}</small></td><td class="n">${s.grains.toLocaleString("en")}</td><td class="n">${s.cached ? "in the cache" : secondsRange(s.seconds)}</td></tr>`).join("")}</tbody></table><ul class="cap">${list(plan.warnings ?? [])}</ul>`;
 
 /** The case as it is now, which a sweep can start from. */
@@ -42,7 +46,7 @@ async function make() {
 }
 
 async function start() {
-  const run = await editor.start("runs");
+  const run = await editor.start("runs", calibrates(editor.text) ? calibrationLimits() : {});
   if (!run) return;
   await view.show(run);
   $("live").scrollIntoView({ block: "start" });
@@ -71,6 +75,7 @@ export function connectSimulate() {
   view = new RunView($("live"));
   editor = new CaseEditor("", planned, offerTests);
   connectTests(editor);
+  connectCalibration(editor);
   get("/api/examples").then(({ result }) => {
     $("from").innerHTML += result.map((name) => `<option value="${escaped(name)}">${escaped(name)}${titles[name] ? `: ${titles[name]}` : ""}</option>`).join("");
   }, trouble);

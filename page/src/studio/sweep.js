@@ -116,7 +116,7 @@ async function loadNames() {
   try {
     const names = (await get("/api/names")).result;
     offerRuns(names);
-    get("/api/runs").then(({ result }) => offerRuns(names, new Map(result.runs.map((run) => [run.name, run.samples.total]))), trouble);
+    get("/api/runs").then(({ result }) => offerRuns(names, new Map(result.runs.map((run) => [run.name, run.kind === "calibration" ? 1 : run.samples.total]))), trouble);
   } catch (error) {
     trouble(error);
   }
