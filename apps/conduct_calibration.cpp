@@ -1,23 +1,18 @@
 #include "apps/conduct_calibration.hpp"
 
 #include "suffuse/base/amounts.hpp"
-#include "suffuse/base/error.hpp"
-#include "suffuse/base/read_text.hpp"
 #include "suffuse/base/shell_word.hpp"
-#include "suffuse/base/spelling.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/bind.hpp"
-#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/job/calibrate.hpp"
 #include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/calibration_report.hpp"
 #include "suffuse/job/calibration_words.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/folder.hpp"
-#include "suffuse/record/missing_stages.hpp"
-#include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
 
@@ -27,7 +22,6 @@
 #include "apps/page_folder.hpp"
 #include "apps/stop_signal.hpp"
 #include <algorithm>
-#include <set>
 
 namespace suffuse::apps {
 namespace {
@@ -42,41 +36,13 @@ Job job_of(const CalibrationJob& calibration, const casefile::Case& samples, con
     return job;
 }
 
-/// The case as it was when the calibration began. @throws UsageError where it has changed since
-void keep_case(const CalibrationJob& calibration) {
-    const fs::path kept = calibration.folder / job::calibration_case_file;
-    const std::string text = read_whole_file(calibration.case_file);
-    if (!fs::exists(kept)) {
-        io::write_file(kept, text);
-    } else if (read_whole_file(kept) != text) {
-        throw UsageError(fmt::format(
-            "{} has changed since {} began; give -o another folder", shown(calibration.case_file),
-            shown(calibration.folder.string())
-        ));
-    }
-}
-
-/// Whether nothing is left to compute: samples that have failed would fail again.
-bool is_done(const job::CalibrationRound& round) {
-    if (!fs::exists(round.folder / record::resolved_case_file)) {
-        return false;
-    }
-    std::set<std::string> failed;
-    for (const record::FailedSample& failure : record::read_failures(round.folder, round.samples)) {
-        failed.insert(failure.sample);
-    }
-    return std::ranges::all_of(record::list_samples(round.samples), [&](const record::Sample& sample) {
-        return failed.contains(sample.variant->folder) || record::is_complete(sample, round.folder);
-    });
-}
-
 /// Runs a round, what is left of it. @return false where it was stopped
 bool run_round(
     const CalibrationJob& calibration, const job::CalibrationRound& round, const Stopwatch& watch,
     const Console& console
 ) {
     io::make_folders(round.folder);
-    if (is_done(round)) {
+    if (job::is_round_done(round)) {
         return true;
     }
     Job job = job_of(calibration, round.samples, round.folder);
@@ -223,7 +189,7 @@ int price_calibration(const CalibrationJob& calibration, const Console& console)
 int conduct_calibration(const CalibrationJob& calibration, const Console& console) {
     const casefile::CalibrationCase what =
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
-    keep_case(calibration);
+    job::keep_calibration_case(calibration.case_file, calibration.folder);
     const Stopwatch watch;
     job::CalibrationOptions options{calibration.folder, {}};
     options.run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };

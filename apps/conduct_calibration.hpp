@@ -12,8 +12,6 @@
 
 namespace suffuse::apps {
 
-using job::is_calibration;
-
 struct CalibrationJob {
     std::string case_file;
     std::vector<std::string> overrides;

@@ -4,7 +4,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/compare_calibrations.hpp"
 #include "suffuse/record/checksums.hpp"
 #include "suffuse/record/compare_runs.hpp"

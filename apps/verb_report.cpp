@@ -1,6 +1,6 @@
 // report: the report of a run once more, without computing.
 
-#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/calibration_report.hpp"
 #include "suffuse/job/print_report.hpp"
 #include "suffuse/job/run_case.hpp"

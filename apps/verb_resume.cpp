@@ -7,6 +7,7 @@
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/io/folders.hpp"
 #include "suffuse/io/run_tree.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/requested_stages.hpp"
 #include "suffuse/record/folder.hpp"
@@ -168,7 +169,7 @@ int ResumeVerb::act(const CommandLine& line, const Console& console) const {
         job.folder, io::Purpose::Work
     ); // before any of it is read; what it remarks on comes with the lock
     const fs::path resolved = job.folder / record::resolved_case_file;
-    if (is_calibration(job.folder)) {
+    if (job::is_calibration(job.folder)) {
         return resume_calibration(*this, line.typed, console);
     }
     job.cache = cache_to_go_on(cache, job.folder, is_trusted, console);

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/read_text.hpp"
 #include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 

@@ -25,7 +25,8 @@ void bind_laboratory(pybind11::module_& m);       ///< records of laboratory tes
 void bind_stability(pybind11::module_& m);        ///< what a grading says
 void bind_cases(pybind11::module_& m);            ///< case files, plans, the schema
 void bind_runs(pybind11::module_& m);
-void bind_pickling(pybind11::module_& m); ///< by any protocol; after all classes
-void bind_keywords(pybind11::module_& m); ///< wrong names of arguments; after all others
+void bind_calibration(pybind11::module_& m); ///< parameters from laboratory tests
+void bind_pickling(pybind11::module_& m);    ///< by any protocol; after all classes
+void bind_keywords(pybind11::module_& m);    ///< wrong names of arguments; after all others
 
 } // namespace suffuse::python

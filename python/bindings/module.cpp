@@ -50,6 +50,7 @@ PYBIND11_MODULE(_core, m) {
     python::bind_resolved(m);
     python::bind_files(m);
     python::bind_laboratory(m);
+    python::bind_calibration(m);
     python::bind_stability(m);
     python::bind_cases(m);
     python::bind_runs(m);

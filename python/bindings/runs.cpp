@@ -24,164 +24,20 @@
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/case_handle.hpp"
 #include "python/bindings/convert.hpp"
+#include "python/bindings/listener.hpp"
 #include "python/bindings/own_rule.hpp"
-#include "python/bindings/work.hpp"
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <exception>
 #include <functional>
-#include <future>
-#include <mutex>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <thread>
-#include <utility>
 
 namespace suffuse::python {
 namespace {
 
-/// As a warning of Python's, from whichever thread. One that is to be an error goes to standard error: nothing else is
-/// wrong.
-void warn(const std::string& text) {
-    const Holding interpreter;
-    if (PyErr_WarnEx(PyExc_UserWarning, text.c_str(), 1) != 0) {
-        PyErr_WriteUnraisable(Py_None);
-    }
-}
-
 namespace fs = std::filesystem;
 
-py::dict describe(const run::Progress& progress) {
-    py::dict dict;
-    dict["study"] = progress.study;
-    dict["stage"] = progress.stage;
-    dict["verb"] = progress.verb;
-    dict["part"] = progress.part;
-    dict["stage_number"] = progress.stage_number;
-    dict["stages"] = progress.stages;
-    dict["steps"] = progress.steps;
-    dict["stage_seconds"] = progress.stage_seconds;
-    dict["run_seconds"] = progress.run_seconds;
-    dict["particle_steps_per_second"] = progress.particle_steps_per_second;
-    dict["state"] = to_python(progress.state);
-    dict["stage_finished"] = progress.stage_finished;
-    dict["from_cache"] = progress.from_cache;
-    dict["samples"] = progress.samples;
-    dict["sample_ended"] = progress.sample_ended;
-    dict["failure"] = progress.failure.empty() ? py::object(py::none()) : py::cast(progress.failure);
-    return dict;
-}
-
-/// Carries what the run says from its thread to the interpreter's: signals reach that one only.
-class Mailbox {
-public:
-    void post(const run::Progress& progress) {
-        const std::lock_guard guard(mutex_);
-        letters_.push_back(progress);
-    }
-
-    /// Waits until it was answered; what answering throws is thrown here.
-    void request_answer(const std::function<void()>& question) {
-        std::packaged_task<void()> task(question);
-        std::future<void> answer = task.get_future();
-        {
-            const std::lock_guard guard(mutex_);
-            questions_.push_back(std::move(task));
-            news_.notify_one();
-        }
-        answer.get();
-    }
-
-    void close() {
-        const std::lock_guard guard(mutex_);
-        closed_ = true;
-        news_.notify_one();
-    }
-
-    struct Mail {
-        std::deque<run::Progress> letters;
-        std::deque<std::packaged_task<void()>> questions; ///< to be called, each of them
-        bool closed = false;
-    };
-
-    /// What came in, after a tenth of a second, when a question waits, or when the run has ended.
-    Mail fetch() {
-        std::unique_lock guard(mutex_);
-        news_.wait_for(guard, std::chrono::milliseconds(100), [this] { return closed_ || !questions_.empty(); });
-        return {std::exchange(letters_, {}), std::exchange(questions_, {}), closed_};
-    }
-
-private:
-    std::mutex mutex_;
-    std::condition_variable news_;
-    std::deque<run::Progress> letters_;
-    std::deque<std::packaged_task<void()>> questions_;
-    bool closed_ = false;
-};
-
-/// Ctrl-C, or an exception of a function of the caller's, asks the run to save and stop; it is raised when that is
-/// done.
-class Listener {
-public:
-    explicit Listener(py::object on_progress)
-        : on_progress_(std::move(on_progress)), has_function_(!on_progress_.is_none()) {}
-
-    void hear(const std::deque<run::Progress>& letters) {
-        if (stop) {
-            return;
-        }
-        try {
-            look_at_signals()("", 0);
-            for (const run::Progress& progress : letters) {
-                if (has_function_) {
-                    Working::call([&] { call_function(on_progress_, py::make_tuple(describe(progress))); });
-                }
-            }
-        } catch (...) {
-            stop_by_what_was_raised();
-        }
-    }
-
-    /// Calls a rule of the caller's. @throws Interrupted where it raised, or the run is to stop anyway
-    void answer(const std::function<void()>& question) {
-        if (!stop) {
-            try {
-                Working::call(question);
-                return;
-            } catch (...) {
-                stop_by_what_was_raised();
-            }
-        }
-        throw Interrupted("a rule was not answered");
-    }
-
-    void raise_what_was_raised() const {
-        if (raised_) {
-            std::rethrow_exception(raised_);
-        }
-    }
-
-    std::atomic<bool> stop{false};
-
-private:
-    void stop_by_what_was_raised() {
-        raised_ = std::current_exception();
-        stop = true;
-    }
-
-    py::object on_progress_;
-    bool has_function_;
-    std::exception_ptr raised_;
-};
-
-/// Runs on a thread of its own; this one listens to the user meanwhile, and has the turn but while on_progress is
-/// called.
 job::RunReport
 run_and_listen(const casefile::Case& what, run::RunOptions options, const py::dict& rules, Listener& listener) {
     job::RunReport report;
-    std::exception_ptr failure;
     Mailbox mailbox;
     for (const auto& [stage, function] : rules) {
         erosion::OwnRule& own = options.rules[stage.cast<std::string>()];
@@ -190,38 +46,20 @@ run_and_listen(const casefile::Case& what, run::RunOptions options, const py::di
         });
         options.command += fmt::format("; {} by the rule {}", stage.cast<std::string>(), own.name);
     }
-    const Working working;
     options.stop = &listener.stop;
     options.on_progress = [&](const run::Progress& progress) { mailbox.post(progress); };
-    std::thread worker([&] {
-        try {
-            using Kind = job::FolderLock::Kind;
-            const bool is_one = !options.sample.empty(); // others work on the other samples
-            const job::FolderLock lock(options.folder, warn, is_one ? Kind::Shared : Kind::Alone);
-            std::optional<job::FolderLock> own_lock;
-            if (is_one) {
-                const fs::path own = options.folder / "studies" / options.sample;
-                io::make_folders(own);
-                own_lock.emplace(own, warn);
-            }
-            report = job::run_case(what, options);
-        } catch (...) {
-            failure = std::current_exception();
+    listen_while(mailbox, listener, [&] {
+        using Kind = job::FolderLock::Kind;
+        const bool is_one = !options.sample.empty(); // others work on the other samples
+        const job::FolderLock lock(options.folder, warn, is_one ? Kind::Shared : Kind::Alone);
+        std::optional<job::FolderLock> own_lock;
+        if (is_one) {
+            const fs::path own = options.folder / "studies" / options.sample;
+            io::make_folders(own);
+            own_lock.emplace(own, warn);
         }
-        mailbox.close();
+        report = job::run_case(what, options);
     });
-    for (bool closed = false; !closed;) {
-        Mailbox::Mail mail = mailbox.fetch();
-        listener.hear(mail.letters);
-        for (std::packaged_task<void()>& question : mail.questions) {
-            question();
-        }
-        closed = mail.closed;
-    }
-    worker.join();
-    if (failure) {
-        std::rethrow_exception(failure);
-    }
     return report;
 }
 
@@ -264,23 +102,6 @@ int samples_within(
     plan::price_requested_alone(plan, value, until, "");
     plan::leave_out_done(plan, value, folder.value_or(fs::path()), record::StageCache(cache));
     return plan::samples_within(plan, bytes);
-}
-
-/// [s] @throws CaseError as the command line refuses it
-std::optional<double> time_limit_of(const py::object& given) {
-    constexpr double longest = 3.2e9; // [s], a hundred years
-    const std::optional<double> limit = optional_quantity(given, dimension::time, "time_limit");
-    if (limit && !(*limit > 0)) {
-        throw CaseError(
-            fmt::format("time_limit: found {} s, which is no time to work in; give one such as \"90 min\"", *limit)
-        );
-    }
-    if (limit && *limit > longest) {
-        throw CaseError(
-            fmt::format("time_limit: found {:g} s, more than a hundred years; leave it out for none", *limit)
-        );
-    }
-    return limit;
 }
 
 py::tuple conduct(

@@ -51,6 +51,7 @@ from suffuse._core import (
     schema,
     threads,
 )
+from suffuse.calibration import Calibration, calibrate
 from suffuse.case import Plan, Table
 from suffuse.executors import sweep
 from suffuse.laboratory import read_test
@@ -63,5 +64,5 @@ from suffuse.stability import Assessment, assess, atlas
 from suffuse.views import View
 
 __all__ = [name for name in dir() if not name.startswith("_") and name not in (
-    "case", "executors", "laboratory", "packing", "records", "run", "sample", "spelling", "stability", "views"
+    "calibration", "case", "executors", "laboratory", "packing", "records", "run", "sample", "spelling", "stability", "views"
 )]

@@ -290,6 +290,9 @@ TEST_F(Calibrate, LeavesFilesForTheNextCase) {
     const nlohmann::json json = record::read_json(folder / "calibration.json");
     EXPECT_NEAR(json.at("parameters").at("contact.friction").at("mean").get<double>(), true_friction, 0.03)
         << "in radians";
+    EXPECT_EQ(json.at("parameters").at("contact.friction").at("si_unit"), "rad");
+    EXPECT_EQ(json.at("parameters").at("contact.modulus").at("si_unit"), "Pa");
+    EXPECT_EQ(json.at("parameters").at("void_ratio").at("si_unit"), "-");
     EXPECT_EQ(json.at("correlation").at("contact.friction").at("contact.friction"), 1.0);
     EXPECT_EQ(json.at("fit").size(), 2U);
     EXPECT_EQ(json.at("held_out").at(0).at("target"), "later");

@@ -36,6 +36,14 @@ std::pair<std::string, double> unit_of(const casefile::CalibrateUnknown& unknown
     return {unit, parse_unit(unit, unknown.dimension)};
 }
 
+/// Of numbers in SI.
+std::string si_unit(Dimension dimension) {
+    const std::vector<std::string> units = usual_units(dimension);
+    const auto found =
+        std::ranges::find_if(units, [&](const std::string& unit) { return parse_unit(unit, dimension) == 1; });
+    return found == units.end() ? "-" : *found;
+}
+
 json parameter_json(const ParameterResult& parameter) {
     const calibration::Bound bound = parameter.interval.bound;
     json one = {
@@ -43,6 +51,7 @@ json parameter_json(const ParameterResult& parameter) {
         {"low", parameter.low},
         {"high", parameter.high},
         {"best", parameter.best},
+        {"si_unit", si_unit(parameter.unknown.dimension)},
         {"identified", parameter.interval.is_identified()},
         {"at_bound", bound != calibration::Bound::None},
         {"range", {parameter.unknown.least, parameter.unknown.most}},
@@ -124,27 +133,6 @@ std::string written(const casefile::CalibrateUnknown& unknown, double value) {
 }
 
 } // namespace
-
-bool is_calibration(const std::filesystem::path& folder) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(folder / calibration_case_file, error);
-}
-
-std::vector<std::filesystem::path> rounds_of(const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> rounds;
-    for (int number = 1;; ++number) {
-        std::filesystem::path round = folder / fmt::format("round-{}", number);
-        std::error_code error;
-        if (!std::filesystem::is_regular_file(round / record::resolved_case_file, error)) {
-            break;
-        }
-        rounds.push_back(std::move(round));
-    }
-    if (std::filesystem::path last = folder / "held-out"; std::filesystem::exists(last / record::resolved_case_file)) {
-        rounds.push_back(std::move(last));
-    }
-    return rounds;
-}
 
 std::string_view words_of(Remedy remedy) {
     return remedy_in_words(key_of(remedy));

@@ -11,17 +11,9 @@
 
 namespace suffuse::job {
 
-/// A copy of the case, which makes a folder that of a calibration.
-inline constexpr const char* calibration_case_file = "calibrate.toml";
 /// The answer, and all that its report needs but the posterior.
 inline constexpr const char* calibration_file = "calibration.json";
 inline constexpr const char* posterior_file = "posterior.csv";
-
-/// Whether a calibration began in this folder.
-bool is_calibration(const std::filesystem::path& folder);
-
-/// Those that began, in their order, the held-out tests last: folders of runs.
-std::vector<std::filesystem::path> rounds_of(const std::filesystem::path& folder);
 
 /// Keys and units: docs/formats.md.
 nlohmann::json calibration_json(const casefile::CalibrationCase& what, const CalibrationResult& result);

@@ -10,8 +10,7 @@
 namespace suffuse::job {
 
 /// How far its intervals can be trusted: one sentence, without capital and point.
-inline constexpr std::string_view calibration_caution =
-    "intervals are not validated on samples of grains yet";
+inline constexpr std::string_view calibration_caution = "intervals are not validated on samples of grains yet";
 
 /// "contact.rolling_friction" -> "rolling friction", "void_ratio.low" -> "void ratio of low"
 std::string key_in_words(const std::string& key);

@@ -6,6 +6,7 @@
 #include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 
