@@ -81,6 +81,9 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     EXPECT_EQ(none.code, 75) << none.error;
     EXPECT_NE(none.error.find("suffuse resume part continues"), std::string::npos) << none.error;
     EXPECT_FALSE(std::filesystem::exists(folder / "part/calibration.json"));
+    const std::string live = test::read_all(folder / "part/report.html");
+    EXPECT_NE(live.find("It was stopped early."), std::string::npos);
+    EXPECT_NE(live.find("suffuse resume part"), std::string::npos);
     const ProgramResult rest = run_suffuse({"resume", "part", "--no-cache", "--json"});
     ASSERT_EQ(rest.code, 0) << rest.error;
     EXPECT_EQ(rest.json(), answer);

@@ -47,6 +47,9 @@ bool run_round(
     }
     Job job = job_of(calibration, round.samples, round.folder);
     job.time_limit = calibration.time_limit - watch.seconds();
+    if (!fs::exists(calibration.folder / job::calibration_file)) { // later its report shows the fit so far
+        job.live = calibration.folder;
+    }
     job.plan = plan_rest(job);
     console.talk(fmt::format(
         "{:10} {}: {}", round.name, plural(std::ssize(round.samples.studies), "sample"), plan::plan_sentence(job.plan)

@@ -59,14 +59,15 @@ Screen standard_error(const Console& console) {
 /// Those who show a run while it is under way: the terminal, progress.json and the live page.
 class Watchers {
 public:
-    Watchers(const Job& job, const Console& console, bool has_page)
+    /// @param page folder of the live page; empty: none
+    Watchers(const Job& job, const Console& console, const fs::path& page)
         : view_(
               standard_error(console), job.plan,
               "Ctrl-C saves and stops; suffuse resume " + shell_word(job.folder.string())
           ),
           published_(job.sample.empty() ? job.folder : job.folder / "studies" / job.sample, job.plan) {
-        if (has_page) {
-            live_.emplace(job.folder, job.what.title, "suffuse resume " + shell_word(job.folder.string()), job.plan);
+        if (!page.empty()) {
+            live_.emplace(page, job.what.title, "suffuse resume " + shell_word(page.string()), job.plan);
         }
     }
 
@@ -179,7 +180,7 @@ std::optional<int> look_before(const Job& job, const Console& console) {
 
 int conduct(const Job& job, const Console& console) {
     run::RunOptions options = options_of(job);
-    Watchers watchers(job, console, job.sample.empty());
+    Watchers watchers(job, console, job.sample.empty() ? job.folder : fs::path());
     watchers.attach(options);
     if (job.sample.empty()) { // a sample that runs at the same time as others knows the price of its own stages only
         plan::keep_plan(job.folder, job.plan);
@@ -204,12 +205,15 @@ int conduct(const Job& job, const Console& console) {
 
 bool conduct_samples(const Job& job, const Console& console) {
     run::RunOptions options = options_of(job);
-    Watchers watchers(job, console, false);
+    Watchers watchers(job, console, job.live);
     watchers.attach(options);
     plan::keep_plan(job.folder, job.plan);
     bound_memory(job.memory + stack_of_threads * static_cast<double>(thread_count()));
     const bool has_ended = job::run_without_report(job.what, options);
     watchers.clear();
+    if (watchers.live() && !has_ended) {
+        watchers.live()->close("It was stopped early.");
+    }
     plan::remember_prices(job.cache, job.folder);
     return has_ended;
 }

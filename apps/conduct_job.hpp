@@ -22,6 +22,7 @@ struct Job {
     casefile::Case what;
     std::filesystem::path folder;
     std::string case_text;
+    std::filesystem::path live;  ///< folder of the live page while a part of something larger runs; empty: none
     std::filesystem::path cache; ///< empty: none
     record::Owners cache_owners = record::Owners::Self;
     plan::RunPlan plan;

@@ -173,7 +173,9 @@ int compare_two_calibrations(const CompareVerb& verb, const Console& console) {
     for (const std::string& circumstance : found.circumstances) {
         console.result("  " + circumstance);
     }
-    console.result(table_of(found.differences, console.is_verbose()));
+    if (!found.differences.empty()) {
+        console.result(table_of(found.differences, console.is_verbose()));
+    }
     console.document(json_text(found));
     return found.differences.empty() ? Done : Differs;
 }

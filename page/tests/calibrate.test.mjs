@@ -13,7 +13,7 @@ const drained = `test,eps1 [%],epsv [%],void ratio,q [kPa],p [kPa]\n${[["T1", 10
   })).join("\n")}\n`;
 const oedometer = `sigma1 [kPa],eps1 [%]\n${[10, 25, 50, 100, 200, 400].map((s) => `${s},${(0.4 * Math.log10(s / 10)).toFixed(3)}`).join("\n")}\n`;
 
-const idOf = (page, name) => page.evaluate((test) => [...document.querySelectorAll("#calibrate-tests .swept")].find((row) => row.textContent.trim().startsWith(test)).querySelector("select").id.replace("target-role-", ""), name);
+const idOf = (page, name) => page.evaluate((test) => [...document.querySelectorAll("#calibrate-tests .sought")].find((row) => row.textContent.trim().startsWith(test)).querySelector("select").id.replace("target-role-", ""), name);
 
 before(() => studio.begin());
 after(() => studio.end());
@@ -24,7 +24,7 @@ async function fill(page) {
   await page.evaluate(() => { location.hash = "#simulate"; });
   await page.click("text=Calibrate a sand");
   await page.setInputFiles("#calibrate-files", [{ name: "drained.csv", mimeType: "text/csv", buffer: Buffer.from(drained) }, { name: "oed 1.csv", mimeType: "text/csv", buffer: Buffer.from(oedometer) }]);
-  await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .swept").length === 5);
+  await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .sought").length === 5);
 }
 
 test("records are read and shown as understood, and become a case that is priced", async () => {

@@ -354,7 +354,9 @@ fs::path write_calibration_report(const fs::path& folder, const fs::path& page_f
     report::ReportData data =
         record::take_from(folder / calibration_file, [&] { return describe_calibration(found, folder); });
     report::write_figures(folder, data);
-    draw_in_page(data.figures, folder, page_folder);
+    if (data.unfinished.missing.empty()) { // drawings take seconds, and the next round writes another report
+        draw_in_page(data.figures, folder, page_folder);
+    }
     return report::write_page(folder, data, page_folder).file;
 }
 

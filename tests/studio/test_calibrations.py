@@ -118,6 +118,20 @@ class Calibrations(InAFolder):
         self.assertTrue(answers[0]["complete"])
         for key in ("parameters", "correlation", "rounds", "samples"):
             self.assertEqual(answers[0][key], answers[1][key], key)
+        compared = studio.get_json(f"/api/compare/{first}/{second}")["result"]
+        self.assertEqual((compared["differences"], compared["numbers"]), ([], 11))
+
+    def test_one_that_is_killed_between_two_rounds_goes_on(self):
+        studio = self.studio()
+        name = self.started(studio)
+        self.ended(studio, name)
+        run = self.runs / name
+        answer = json.loads((run / "calibration.json").read_text())
+        (run / "calibration.json").write_text(json.dumps({**answer, "complete": False}))  # as after its last round but one
+        self.assertEqual([run["state"] for run in studio.get_json("/api/runs")["result"]["runs"]], ["not complete"])
+        self.assertEqual(studio.post(f"/api/runs/{name}/resume").status, 201)
+        self.ended(studio, name)
+        self.assertEqual(json.loads((run / "calibration.json").read_text()), answer)
 
     def test_what_only_looks_like_a_calibration_stays_out_of_reach(self):
         studio = self.studio()

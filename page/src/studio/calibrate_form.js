@@ -71,7 +71,7 @@ function choose(id) {
 
 function drawRecords() {
   $("calibrate-records").innerHTML = records.map(understood).join("");
-  $("calibrate-tests").innerHTML = allTests().map(({ test, id }) => `<div class="swept"><label class="in">${escaped(test.name)}${Number.isFinite(test.first.void_ratio) ? `, e ${three(test.first.void_ratio)}` : ""}${startPressure(test.first) ? `, ${startPressure(test.first)}` : ""} <select id="target-role-${id}"><option value="">is left out</option><option value="fit">is fitted</option><option value="held">is held out, and predicted</option></select></label><div id="target-more-${id}"></div></div>`).join("");
+  $("calibrate-tests").innerHTML = allTests().map(({ test, id }) => `<div class="sought"><label class="in">${escaped(test.name)}${Number.isFinite(test.first.void_ratio) ? `, e ${three(test.first.void_ratio)}` : ""}${startPressure(test.first) ? `, ${startPressure(test.first)}` : ""} <select id="target-role-${id}"><option value="">is left out</option><option value="fit">is fitted</option><option value="held">is held out, and predicted</option></select></label><div id="target-more-${id}"></div></div>`).join("");
   for (const { id } of allTests()) $(`target-role-${id}`).addEventListener("change", () => choose(id));
   $("calibrate-write").disabled = !records.length;
 }
@@ -112,7 +112,7 @@ const lastRow = (place) => place.lastElementChild.querySelector("input");
 
 function addUnknown(key = "", from = "", to = "", isLog = false) {
   const row = document.createElement("div"), number = $("calibrate-unknowns").children.length + 1;
-  row.className = "swept";
+  row.className = "sought";
   row.innerHTML = `<label class="in">Parameter ${number} <input class="key" list="calibrate-known-keys" spellcheck="false" placeholder="contact.friction"></label><div class="pair"><label class="in">from <input class="from" spellcheck="false"></label><label class="in">to <input class="to" spellcheck="false"></label></div><label><input class="log" type="checkbox"> all decades as likely</label>`;
   row.querySelector(".key").value = key;
   row.querySelector(".from").value = from;
@@ -162,10 +162,11 @@ function write() {
     });
     editor.take(text, Object.fromEntries(records.map((record) => [dataName(record.name), record.file])), `${name}-calibration`);
     trouble();
+    $("made").innerHTML = ""; // what was said of the case before
     $("calibrate-note").textContent = "Written into the case. Its price follows.";
   } catch (error) {
     trouble(error);
-    $("calibrate-note").textContent = "";
+    $("calibrate-note").textContent = error.message; // the top of the page is out of sight here
   }
 }
 
