@@ -84,10 +84,16 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     const std::string live = test::read_all(folder / "part/report.html");
     EXPECT_NE(live.find("It was stopped early."), std::string::npos);
     EXPECT_NE(live.find("suffuse resume part"), std::string::npos);
+    const ProgramResult stopped = run_suffuse({"watch", "part"});
+    EXPECT_EQ(stopped.code, 1) << stopped.error;
+    EXPECT_NE(stopped.out.find("resume with: suffuse resume part"), std::string::npos) << stopped.out;
     const ProgramResult rest = run_suffuse({"resume", "part", "--no-cache", "--json"});
     ASSERT_EQ(rest.code, 0) << rest.error;
     EXPECT_EQ(rest.json(), answer);
     EXPECT_EQ(test::read_all(folder / "part/posterior.csv"), test::read_all(folder / "whole/posterior.csv"));
+    const nlohmann::json watched = run_suffuse({"watch", "part", "--json"}).json();
+    EXPECT_EQ(watched.at("ended"), true);
+    EXPECT_EQ(watched.at("rounds").size(), answer.at("rounds").size());
     const ProgramResult same = run_suffuse({"compare", "whole", "part", "--json"});
     EXPECT_EQ(same.code, 0) << same.error;
     EXPECT_EQ(same.json().at("differences").size(), 0U);
@@ -107,6 +113,9 @@ TEST_F(CalibrateVerb, IsCheckedAndPricedAsAnyCase) {
     ASSERT_EQ(checked.code, 0) << checked.error;
     EXPECT_EQ(checked.json().at("targets"), 1);
     EXPECT_EQ(checked.json().at("unknowns"), 3);
+    ASSERT_EQ(checked.json().at("problems").size(), 1U) << "120 grains make a narrow cell";
+    EXPECT_EQ(checked.json().at("problems")[0].at("code"), "W602");
+    EXPECT_EQ(checked.json().at("problems")[0].at("line"), 14) << "where the case has its particles";
     EXPECT_EQ(run_suffuse({"check", "case.toml", "--set", "calibrate.samples=none"}).code, 3);
     EXPECT_EQ(run_suffuse({"plan", "case.toml", "--json"}).json().at("samples"), 12);
     std::filesystem::remove(folder / "t.csv");

@@ -1,6 +1,8 @@
 #include "apps/conduct_calibration.hpp"
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/render_within.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/stopwatch.hpp"
 #include "suffuse/casefile/bind.hpp"
@@ -157,6 +159,13 @@ int check_calibration(const CalibrationJob& calibration, const Console& console)
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
     job::first_round(what); // which reads the files
     const auto targets = std::ssize(what.spec.targets), unknowns = std::ssize(what.spec.unknowns);
+    nlohmann::json problems = nlohmann::json::array();
+    for (const Diagnostic& warning : what.warnings) {
+        problems.push_back(problem_json(warning));
+    }
+    if (!what.warnings.empty() && !console.wants_json()) {
+        console.talk(render_within(what.warnings, console.has_color(), source_width()));
+    }
     console.result(fmt::format(
         "{}: no errors; {}, {}; suffuse calibrate {} runs it", calibration.case_file, plural(targets, "target"),
         plural(unknowns, "unknown"), shell_word(calibration.case_file)
@@ -164,7 +173,8 @@ int check_calibration(const CalibrationJob& calibration, const Console& console)
     console.document(json_text(
         {{"case", calibration.case_file},
          {"errors", 0},
-         {"problems", nlohmann::json::array()},
+         {"warnings", what.warnings.size()},
+         {"problems", std::move(problems)},
          {"targets", targets},
          {"unknowns", unknowns}}
     ));

@@ -3,6 +3,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/job/calibration_files.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -78,8 +80,9 @@ private:
 
 class Watch {
 public:
-    Watch(fs::path folder, const Console& console)
-        : folder_(std::move(folder)), console_(console), events_(folder_),
+    /// @param locked the folder whose lock shows that it is at work: its own, or that of a calibration
+    Watch(fs::path folder, fs::path locked, const Console& console)
+        : folder_(std::move(folder)), locked_(std::move(locked)), console_(console), events_(folder_),
           footer_(can_redraw() && !console.is_quiet() && !console.wants_json()) {}
 
     /// @return the events, all of them, once the run is over or nobody works on it.
@@ -92,7 +95,7 @@ public:
             if (news) {
                 last_news_ = Clock::now();
             } else if (is_first_ || Clock::now() - last_news_ > silence) {
-                if (!job::is_at_work(folder_)) {
+                if (!job::is_at_work(locked_)) {
                     print_events(); // what it said between the look and its end
                     break;
                 }
@@ -149,7 +152,7 @@ private:
         return true;
     }
 
-    fs::path folder_;
+    fs::path folder_, locked_;
     const Console& console_;
     EventLog events_;
     Footer footer_;
@@ -161,9 +164,37 @@ private:
     std::string task_;    ///< command of a sample of a sweep that is a task of its own; empty: a run
 };
 
+/// Its rounds, one after the other, as long as somebody works on it.
+int watch_calibration(const fs::path& folder, const Console& console) {
+    nlohmann::json rounds = nlohmann::json::array();
+    bool goes_on = true;
+    for (std::size_t k = 0; goes_on && !has_lost_reader(STDOUT_FILENO);) {
+        goes_on = job::is_at_work(folder); // before the look: the last round is not missed
+        const std::vector<fs::path> begun = job::rounds_of(folder);
+        if (k == begun.size()) {
+            std::this_thread::sleep_for(look_interval);
+            continue;
+        }
+        console.result(begun[k].filename().string());
+        Watch watch(begun[k], folder, console);
+        rounds.push_back({{"round", begun[k].filename().string()}, {"events", watch.follow()}});
+        goes_on = true;
+        ++k;
+    }
+    const fs::path answer = folder / job::calibration_file;
+    const bool is_complete = fs::exists(answer) && record::read_json(answer).value("complete", false);
+    const std::string report = is_complete ? (folder / "report.html").string() : "";
+    console.result(is_complete ? report : "resume with: suffuse resume " + shell_word(folder.string()));
+    console.document(json_text({{"ended", is_complete}, {"report", report}, {"rounds", rounds}}));
+    return is_complete ? Done : Failed;
+}
+
 int WatchVerb::act(const CommandLine&, const Console& console) const {
     const fs::path folder = run;
     look_at_run(folder, io::Purpose::Read, console);
+    if (job::is_calibration(folder)) {
+        return watch_calibration(folder, console);
+    }
     if (!fs::exists(folder / "events.jsonl") && fs::exists(folder / "tasks.txt")) {
         throw UsageError(fmt::format(
             "{0} holds tasks of a sweep, each a run of its own: suffuse watch {1}, or suffuse sweep --collect {0}",
@@ -175,7 +206,7 @@ int WatchVerb::act(const CommandLine&, const Console& console) const {
             "{} holds no run that has begun; give suffuse watch the folder that suffuse run printed", shown(run)
         ));
     }
-    Watch watch(folder, console);
+    Watch watch(folder, folder, console);
     const nlohmann::json events = watch.follow();
     if (has_lost_reader(STDOUT_FILENO)) {
         return Done; // nobody wants to know more

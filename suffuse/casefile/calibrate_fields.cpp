@@ -315,6 +315,8 @@ CalibrateSpec read_calibrate(ReadContext& context, const Node::Entry& entry) {
     }
     Reader v(context, entry.value, entry.place, {"calibrate"}, "calibrate");
     plain_fields(v, spec);
+    const Node::Entry* particles = entry.value.find("particles");
+    spec.particles_place = particles == nullptr ? entry.place : particles->place;
     read_targets(context, v, spec);
     read_unknowns(v, spec);
     read_constraints(v, spec);

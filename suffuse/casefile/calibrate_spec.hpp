@@ -58,6 +58,7 @@ bool is_void_ratio(const std::string& key);
 struct CalibrateSpec {
     std::string soil;
     std::int64_t particles = 1000; ///< of each sample
+    Place particles_place;         ///< where they are given, or the table
     int samples = 64;              ///< of each target, at most
     bool fix_void_ratio = false;
     std::vector<CalibrateTarget> targets;

@@ -39,15 +39,16 @@ void set_usual(Node& root) {
     set("output", "snapshots", make_node("none"));
 }
 
-/// Finds what is wrong with the rest of the case, with the samples at both ends of all ranges. @throws CaseProblems
-void check_rest(const CalibrationCase& what) {
+/// Finds what is wrong with the rest of the case, with the samples at both ends of all ranges. @return warnings;
+/// @throws CaseProblems
+std::vector<Diagnostic> check_rest(const CalibrationCase& what) {
     std::vector<CalibrationSample> ends;
     for (int target = 0; target < static_cast<int>(what.spec.targets.size()); ++target) {
         for (const double share : {0.0, 1.0}) {
             ends.push_back({target, static_cast<int>(share), std::vector<double>(what.spec.unknowns.size(), share)});
         }
     }
-    case_of_samples(what, ends);
+    return load_samples(what, ends).warnings;
 }
 
 Scalar written_value(const CalibrateUnknown& unknown, double share) {
@@ -150,7 +151,7 @@ CalibrationCase load_calibration(const std::string& path, const LoadOptions& opt
     if (problems.has_errors()) {
         throw CaseProblems(problems.sorted());
     }
-    check_rest(what);
+    what.warnings = check_rest(what);
     return what;
 }
 
@@ -167,7 +168,7 @@ std::vector<double> values_of(const CalibrationCase& what, const CalibrationSamp
     return values;
 }
 
-Case case_of_samples(const CalibrationCase& what, const std::vector<CalibrationSample>& samples) {
+LoadedCase load_samples(const CalibrationCase& what, const std::vector<CalibrationSample>& samples) {
     Node root = what.base, studies;
     for (const CalibrationSample& sample : samples) {
         studies.set(study_of(what, sample), study_node(what, sample));
@@ -175,10 +176,16 @@ Case case_of_samples(const CalibrationCase& what, const std::vector<CalibrationS
     root.set("study", std::move(studies));
     const std::string text = print_file(root);
     try {
-        return load_case_text(text, "samples of [calibrate]", what.folder).value;
+        LoadedCase loaded = load_case_text(text, "samples of [calibrate]", what.folder);
+        loaded.warnings = at_users_places(loaded.warnings, text, what);
+        return loaded;
     } catch (const CaseProblems& problems) {
         throw CaseProblems(at_users_places(problems.problems, text, what));
     }
+}
+
+Case case_of_samples(const CalibrationCase& what, const std::vector<CalibrationSample>& samples) {
+    return load_samples(what, samples).value;
 }
 
 } // namespace suffuse::casefile

@@ -2,6 +2,7 @@
 // A case that calibrates, and the cases of its samples: each sample is a study of one copy, written as users write
 // them.
 
+#include "suffuse/base/diagnostics.hpp"
 #include "suffuse/casefile/calibrate_spec.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/casefile/node.hpp"
@@ -16,8 +17,9 @@ struct CalibrationCase {
     CalibrateSpec spec;
     std::string title;
     std::uint64_t seed = 1;
-    Node base;          ///< the case without [calibrate] and studies
-    std::string folder; ///< where its relative paths start
+    Node base;                        ///< the case without [calibrate] and studies
+    std::string folder;               ///< where its relative paths start
+    std::vector<Diagnostic> warnings; ///< of the samples at both ends of the ranges
 };
 
 /// Whether the case has samples to calibrate, and no study to run.
@@ -41,5 +43,8 @@ std::vector<double> values_of(const CalibrationCase& what, const CalibrationSamp
 /// A case whose studies are these samples: `suffuse run` and `suffuse sweep` know it. Each packs a sample of the soil,
 /// compacts it to its void ratio, stage "sample", and tests it, stage "test".
 Case case_of_samples(const CalibrationCase& what, const std::vector<CalibrationSample>& samples);
+
+/// The same with what is to be said of it, at the lines of the case that calibrates. @throws CaseProblems, likewise
+LoadedCase load_samples(const CalibrationCase& what, const std::vector<CalibrationSample>& samples);
 
 } // namespace suffuse::casefile

@@ -61,6 +61,9 @@ Place users_place(const WrittenPlace& at, const Node& base) {
 
 /// Of what a study comes from: the last unknown that the line names, or the target.
 Place asking_place(const WrittenPlace& at, const CalibrateSpec& spec) {
+    if (at.key == "particles") {
+        return spec.particles_place;
+    }
     const CalibrateUnknown* last = nullptr;
     std::size_t begin = 0;
     for (const CalibrateUnknown& unknown : spec.unknowns) {

@@ -63,7 +63,7 @@ class Calibrations(InAFolder):
 
     def test_it_is_priced_by_its_samples_and_errors_have_their_lines(self):
         studio = self.studio()
-        self.assertEqual(json.loads(studio.post("/api/check", case()).text)["result"]["problems"], [])
+        self.assertEqual(json.loads(studio.post("/api/check", case()).text)["result"]["problems"][0]["code"], "W602")
         plan = json.loads(studio.post("/api/plan", case()).text)["result"]
         self.assertEqual((plan["samples"], plan["first_round"]["studies"]), (12, 8))
         for wrong, line in (("rolling_frictoin = 0.2", 9), ('"contact.frictoin" = ["20 deg", "40 deg"]', 25), ('pressure = "100 kg"', 19)):
