@@ -145,7 +145,7 @@ int print_answer(const CalibrationJob& job, const job::CalibrationResult& result
     if (!result.parameters.empty()) {
         print_parameters(result, console);
         print_fits(result, console);
-        console.result(fmt::format("{} (docs/how-to/calibrate.md)", job::calibration_caution));
+        console.result(fmt::format("{} ({})", job::calibration_caution, job::calibration_caution_page));
         console.result(fmt::format("for a case: {}", (job.folder / "contact.toml").string()));
         console.result(fmt::format("report: {}", (job.folder / "report.html").string()));
     }

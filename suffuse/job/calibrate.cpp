@@ -286,6 +286,17 @@ private:
         return fit;
     }
 
+    /// Whether samples of the same parameters differ by more than half of the variance of all errors.
+    [[nodiscard]] bool samples_scatter() const {
+        double balance = 0;
+        for (const TargetFit& fit : result_.fits) {
+            for (std::size_t k = 0; k < fit.seed_scatter.size(); ++k) { // no held-out test has it
+                balance += std::pow(fit.seed_scatter[k] / fit.model_deviation[k], 2) - 0.5;
+            }
+        }
+        return balance > 0;
+    }
+
     /// For intervals that are wide: what a laboratory could measure. The strains of its tests are tried on the
     /// emulators; other tests follow what LABORATORY's table of the validation shows.
     void find_remedies() {
@@ -311,6 +322,7 @@ private:
             if (is_wide(parameter)) {
                 parameter.remedy = lacks_parts && with_all[k].is_identified() ? Remedy::VolumetricStrain
                                    : is_one_pressure                          ? Remedy::OtherPressure
+                                   : samples_scatter()                        ? Remedy::LargerSamples
                                                                               : Remedy::Oedometer;
             }
         }

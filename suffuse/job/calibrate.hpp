@@ -55,6 +55,7 @@ enum class Remedy {
     None,
     VolumetricStrain, ///< of a test of which only stresses are there
     OtherPressure,    ///< the same test at another pressure
+    LargerSamples,    ///< no test: more grains in each sample, for samples scatter more than all else is uncertain
     Oedometer,        ///< compression without shear
 };
 

@@ -4,6 +4,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/random.hpp"
 #include "suffuse/casefile/bind.hpp"
 #include "suffuse/job/calibration_files.hpp"
 #include "suffuse/record/folder.hpp"
@@ -90,12 +91,13 @@ protected:
                 continue;
             }
             record::StageFindings findings;
+            const double noise = scatter * RandomStream(static_cast<std::uint64_t>(simulated), "scatter").normal();
             for (int k = 0; k <= 250; ++k) {
                 const double strain = 0.00045 * k;
                 triaxial::PathRow& row = findings.curve.emplace_back();
                 row.axial_strain = -std::log1p(-strain);
-                row.volumetric_strain = -std::log1p(-law.volumetric_strain(strain));
-                row.deviator_stress = law.stress_ratio(strain) * law.pressure;
+                row.volumetric_strain = -std::log1p(-law.volumetric_strain(strain) * (1 + noise));
+                row.deviator_stress = law.stress_ratio(strain) * law.pressure * (1 + noise);
             }
             record::save_findings(stage, findings);
         }
@@ -110,7 +112,7 @@ protected:
 
     test::TempFolder folder;
     std::function<bool(const Law&)> fails;
-    double rolling_counts = 0;
+    double rolling_counts = 0, scatter = 0;
     int simulated = 0, runs = 0, stops_in = 100;
 };
 
@@ -231,6 +233,15 @@ fix_void_ratio = true
         EXPECT_TRUE(parameter.interval.is_identified())
             << parameter.unknown.key << ": " << parameter.interval.information << " bits";
     }
+}
+
+TEST_F(Calibrate, NamesLargerSamplesAsRemedy) {
+    scatter = 0.5;
+    const CalibrationResult result = calibrated(load(two_pressures, record_of({100e3, 400e3, 200e3}, true)));
+    const ParameterResult& friction = result.parameters[0];
+    EXPECT_FALSE(friction.interval.is_identified()) << friction.interval.information;
+    EXPECT_EQ(friction.remedy, Remedy::LargerSamples);
+    EXPECT_GT(result.fits[0].seed_scatter[5], 0.1 * result.fits[0].laboratory.values[5]);
 }
 
 TEST_F(Calibrate, NamesABoundThatItsRangesEndAt) {

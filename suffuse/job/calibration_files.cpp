@@ -22,7 +22,8 @@ using nlohmann::json;
 constexpr std::string_view contact_prefix = "contact.";
 
 std::string_view key_of(Remedy remedy) {
-    constexpr std::array<std::string_view, 4> keys = {"", "volumetric_strain", "other_pressure", "oedometer"};
+    constexpr std::array<std::string_view, 5> keys = {
+        "", "volumetric_strain", "other_pressure", "larger_samples", "oedometer"};
     return keys[static_cast<std::size_t>(remedy)];
 }
 

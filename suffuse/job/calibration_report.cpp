@@ -286,7 +286,7 @@ figures::PageTable rounds_table(const FoundCalibration& found) {
 answer::Opening opening_of(const FoundCalibration& found) {
     answer::Opening opening;
     opening.verdict = verdict_of(found.answer);
-    opening.confidence = "Intervals not validated";
+    opening.confidence = "Intervals checked in part";
     opening.about_confidence = as_sentence(fmt::format(
         "{}. Take them as the order of what the tests leave open; they hold only if the model can behave like the "
         "soil.",

@@ -84,10 +84,11 @@ std::string interval_in_words(const json& parameter) {
 }
 
 std::string_view remedy_in_words(std::string_view key) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words = {{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> words = {{
         {"volumetric_strain", "the volumetric strain of these tests"},
         {"other_pressure", "the same test at another pressure, four times as high or a quarter"},
-        {"oedometer", "an oedometer test, or isotropic compression"},
+        {"larger_samples", "grains to the samples (`particles`): they scatter more than all else is uncertain"},
+        {"oedometer", "a test of another kind, such as an oedometer test (whether it would do is not tried)"},
     }};
     const auto found = std::ranges::find(words, key, &std::pair<std::string_view, std::string_view>::first);
     return found == words.end() ? "" : found->second;

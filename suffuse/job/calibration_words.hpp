@@ -10,7 +10,10 @@
 namespace suffuse::job {
 
 /// How far its intervals can be trusted: one sentence, without capital and point.
-inline constexpr std::string_view calibration_caution = "intervals are not validated on samples of grains yet";
+inline constexpr std::string_view calibration_caution =
+    "intervals are checked for simulated drained tests of the linear law alone";
+/// Where that stands in full.
+inline constexpr std::string_view calibration_caution_page = "docs/how-to/calibrate.md#how-far-to-trust-the-intervals";
 
 /// "contact.rolling_friction" -> "rolling friction", "void_ratio.low" -> "void ratio of low"
 std::string key_in_words(const std::string& key);
