@@ -10,8 +10,8 @@ program=$(readlink -f "$1")
 # shellcheck source=tools/at_end.sh
 . "$here/../../tools/at_end.sh"
 folder=
-holder= # of the gate
-trap 'end_attended; [ -z "$holder" ] || kill "$holder" 2>/dev/null; stop_slurm; rm -rf "$folder"' EXIT
+holder=none # of the gate
+trap 'end_attended; kill "$holder" 2>/dev/null || :; stop_slurm; rm -rf "$folder"' EXIT
 folder=$(mktemp -d)
 
 cat >"$folder/case.toml" <<'EOF'
