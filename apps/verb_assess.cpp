@@ -357,6 +357,12 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (!filter.empty()) {
         add_filter(filter, console, soils);
     }
+    if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml") {
+        console.talk(fmt::format(
+            "how far the base gets into this filter, simulated: suffuse new {} --filter {}", shell_word(files.front()),
+            shell_word(filter)
+        ));
+    }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
     std::string text =

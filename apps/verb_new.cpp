@@ -18,6 +18,7 @@
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
+#include "apps/own_filter.hpp"
 #include "apps/own_soil.hpp"
 #include "apps/own_surrogate.hpp"
 #include "apps/shared_options.hpp"
@@ -55,6 +56,7 @@ struct NewVerb final : Verb {
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil, with its unit
     std::optional<double> gradient;
+    std::string filter; ///< grading curve of what is to hold that soil
     bool surrogate = false;
     std::string flow; ///< which way the water goes through fines that have weight
 
@@ -85,6 +87,10 @@ struct NewVerb final : Verb {
                 "--surrogate", surrogate,
                 "with --psd: two fractions stand for a soil too wide to simulate, with its size ratio and fines content"
             )
+            .excludes(part)
+            .excludes(example);
+        options.value("--filter", filter, "with --psd: another grading, packed behind the soil: does it hold it?")
+            .type("FILE")
             .excludes(part)
             .excludes(example);
         options
@@ -317,6 +323,37 @@ int new_surrogate(
     return Done;
 }
 
+/// A base on its filter.
+int new_stack(const OwnCurve& curve, const NewVerb& verb, const OwnConditions& conditions, const Console& console) {
+    const gradings::GradingFile read = read_one_grading(verb.filter, "", verb.reading);
+    print_remarks(read, console);
+    const OwnStack stack = model_own_stack(curve.grading, curve.name, read.soils.front().grading, verb.filter);
+    const fs::path folder = curve.folder.empty() ? stack.base + "-and-" + stack.filter : curve.folder;
+    const std::vector<std::string> files = write_new(
+        {{folder / "case.toml", own_case_text(stack, conditions)},
+         {folder / "data" / (stack.base + ".csv"), own_grading_text(stack.base_curve, curve.path)},
+         {folder / "data" / (stack.filter + ".csv"), own_grading_text(stack.filter_curve, verb.filter)}}
+    );
+    console.result(fmt::format("{}", fmt::join(files, "\n")));
+    const plan::RunPlan plan = price_of(folder / "case.toml");
+    console.document(json_text(
+        {{"written", files},
+         {"base_grains", stack.base_grains},
+         {"filter_grains", stack.filter_grains},
+         {"base_thickness", stack.base_thickness},
+         {"filter_thickness", stack.filter_thickness},
+         {"width", stack.width},
+         {"gradient", conditions.gradient.value_or(assumed_base_gradient)},
+         {"seconds", {plan.seconds.least, plan.seconds.most}}}
+    ));
+    console.talk(fmt::format(
+        "{} grains of {} on {} of {}; in the preset quick: {} on this machine", count_text(stack.base_grains),
+        stack.base, stack.filter_grains, stack.filter, duration_range_text(plan.seconds)
+    ));
+    print_next_steps(folder, console);
+    return Done;
+}
+
 int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
     const OwnConditions conditions = conditions_of(verb); // what was typed is judged before what the file holds
     const gradings::GradingFile read = read_one_grading(curve.path, verb.sample, verb.reading);
@@ -326,6 +363,9 @@ int new_from_soil(const NewVerb& verb, OwnCurve curve, const Console& console) {
     curve.grading = read.soils.front().grading;
     const auto limit =
         verb.fines.empty() ? std::nullopt : std::optional(quantity_of(verb.fines, dimension::length, "--fines", false));
+    if (!verb.filter.empty()) {
+        return new_stack(curve, verb, conditions, console);
+    }
     if (verb.surrogate) {
         return new_surrogate(curve, limit, verb, conditions, console);
     }
@@ -371,6 +411,7 @@ void expect_no_curve_options(const NewVerb& verb) {
           {"--sizes", !verb.sizes.empty()},
           {"--fines", !verb.fines.empty()},
           {"--surrogate", verb.surrogate},
+          {"--filter", !verb.filter.empty()},
           {"--particles", verb.particles.has_value()},
           {"--pressure", !verb.pressure.empty()},
           {"--gradient", verb.gradient.has_value()},

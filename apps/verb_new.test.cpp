@@ -48,6 +48,32 @@ TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     EXPECT_EQ(run_suffuse({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
 }
 
+TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
+    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,0\n0.25,100\n");
+    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,100\n");
+    const ProgramResult made = run_suffuse({"new", "base.csv", "--filter", "drain.csv", "-i", "5"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    const std::string path = "base-and-drain/case.toml";
+    expect_in(path, made.out);
+    expect_in("grains of base on", made.error);
+    const std::string text = read_all(folder / path);
+    expect_in("gradients    = [5]", text);
+    expect_in("downward", text);
+    const ProgramResult checked = run_suffuse({"check", path, "--json"});
+    EXPECT_EQ(checked.code, 0) << checked.error;
+    EXPECT_EQ(run_suffuse({"plan", path}).code, 0);
+    const ProgramResult assessed = run_suffuse({"assess", "base.csv", "--filter", "drain.csv"});
+    expect_in("suffuse new base.csv --filter drain.csv", assessed.error);
+    const ProgramResult swapped = run_suffuse({"new", "x", "--psd", "drain.csv", "--filter", "base.csv"});
+    EXPECT_EQ(swapped.code, 3);
+    expect_in("finer than its base", swapped.error);
+    write_to(folder / "silt.csv", "d [mm],passing [%]\n0.01,0\n0.02,100\n");
+    const ProgramResult fine = run_suffuse({"new", "y", "--psd", "silt.csv", "--filter", "drain.csv"});
+    EXPECT_EQ(fine.code, 3);
+    expect_in("more than 40000", fine.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "y"));
+}
+
 TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
     for (const auto& [way, direction] : {std::pair{"up", "\"z\""}, {"down", "\"-z\""}, {"level", "\"x\""}}) {
         const std::string path = std::string(way) + "/case.toml";

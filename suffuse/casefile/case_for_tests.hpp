@@ -355,6 +355,19 @@ do = "compact"
 pressure = "100 kPa"
 intergranular_void_ratio = 0.8
 prepared_as = { fines_content = "20 %" }
+[study.layered]
+[[study.layered.stage]]
+name = "cloud"
+do = "pack"
+porosity = 0.55
+layers = [{ soil = "base", thickness = "0.35 mm" }, { soil = "filter", thickness = "2 mm" }]
+axis = "x"
+width = "2 mm"
+[soil.base]
+psd = { d = ["90 um", "110 um"], passing = ["0 %", "100 %"] }
+[soil.filter]
+psd = { d = ["0.5 mm", "0.6 mm"], passing = ["0 %", "100 %"] }
+grading_tolerance = "5 %"
 [output]
 formats = ["csv", "vtp"]
 snapshots = { every = "1 %" }

@@ -65,6 +65,13 @@ std::string dependencies_of(const Case& c, const Variant& variant, const Stage& 
         soil.set("sample", write_soil(*variant.soil));
         root.set("soil", std::move(soil));
     }
+    if (const auto* pack = std::get_if<packing::PackSpec>(&stage.spec); pack != nullptr && !pack->layers.empty()) {
+        Node soils;
+        for (const packing::Layer& layer : pack->layers) {
+            soils.set(layer.soil, write_soil(c.soils.at(layer.soil)));
+        }
+        root.set("soil", std::move(soils));
+    }
     copy.output.checkpoint = OutputSpec{}.checkpoint; // when a state is saved on the way changes nothing
     root.set("output", write("output", [&](Writer& v) { fields(v, copy.output); }));
     root.set("stage", write_stage(nameless(stage)));

@@ -169,6 +169,21 @@ constexpr std::array code_table = {
         "E617", "grains that do not sink",
         "With [gravity] fines have weight less buoyancy: grains must be denser than the fluid."},
     Code{
+        "E619", "a layer that is too thin, or a stack that is too narrow",
+        "A layer of a stack, and the cell across the layers, have at least three of the largest grains: in less a "
+        "grain "
+        "meets its own image, and a filter has no depth in which a base could stop."},
+    Code{
+        "E620", "a filter finer than its base",
+        "`layers` of a pack stand in the order of the flow. Each has a median size of at least that of the layer "
+        "before "
+        "it: what is finer holds everything, and filters nothing."},
+    Code{
+        "E621", "a stage that has no meaning in layers",
+        "In a stack the first layer is the base: `migrate` moves its grains into the layers that follow, which are "
+        "held. The plane between the layers must stay across the flow, so that no stage may shear the cell; and "
+        "`detach`, `erode` and `remove` are for fines within one soil."},
+    Code{
         "E618", "a ramp that begins with heave",
         "With [gravity] the fines bear a gradient that rises. Above (1 - n)(rho_s - rho_f)/rho_f upward seepage lifts "
         "the whole soil: the ramp must begin below."},

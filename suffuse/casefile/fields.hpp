@@ -3,6 +3,7 @@
 
 #include "suffuse/casefile/reader.hpp"
 #include "suffuse/casefile/special_fields.hpp"
+#include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/casefile/weight_fields.hpp"
 #include "suffuse/casefile/writer.hpp"
 
@@ -101,6 +102,7 @@ void fields(V& v, ImportSpec& s) {
 
 template <class V>
 void fields(V& v, packing::PackSpec& s) {
+    layers_fields(v, s);
     v.field("porosity", s.porosity);
 }
 

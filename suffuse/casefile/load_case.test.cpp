@@ -57,7 +57,7 @@ TEST(LoadCase, EveryValueReachesItsSpecInSi) {
     EXPECT_EQ(c.soils.at("stand-in").fines_content, 0.6);
     EXPECT_EQ(c.soils.at("stand-in").surrogate->size_ratio, 3);
     EXPECT_EQ(c.soils.at("stand-in").measured->passing, (std::vector<double>{0.1, 0.6, 0.9}));
-    EXPECT_EQ(c.studies.size(), 3U);
+    EXPECT_EQ(c.studies.size(), 4U);
     const auto& compact = spec_of<packing::CompactSpec>(c, "main", "initial");
     EXPECT_EQ(compact.prepare.friction, radians(5));
     EXPECT_EQ(compact.prepare.adhesion_shear, 2e6);

@@ -99,6 +99,8 @@ void apply_preset_key(Node& root, const Node::Entry& entry, bool weighs) {
         set_in_stages({"erode"}, key);
     } else if (key == "gradients") {
         set_in_stages({"detach"}, key);
+    } else if (key == "hold_at_most") {
+        set_in_stages({"migrate"}, key);
     } else if (key == "max_rate") {
         set_in_stages({"compact"}, key);
     } else if (key == "unbalanced_force" || key == "stress_error" || key == "patience") {

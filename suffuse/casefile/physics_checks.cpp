@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
+#include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/casefile/weight_words.hpp"
@@ -123,6 +124,9 @@ public:
     void check_fines(const Stage& stage) {
         const auto& soil = variant_.soil;
         const Place place = stage_place(stage, "do");
+        if (stack_of(variant_, stage) != nullptr) {
+            return; // the first layer is fine
+        }
         if (!soil) {
             context_.problems.error(
                 "E605", place, fmt::format("stage \"{}\" needs to know which grains are fine", stage.name),
@@ -257,6 +261,9 @@ public:
             "size = \"flow-path\", without `forced`, makes them follow the water"
         );
     }
+
+    /// Layers lie across the flow, and stay so.
+    void check_stack(const Stage& stage) { check_in_stack(context_, variant_, stage, stage_place(stage, "do")); }
 
     /// Skempton's B is that of a fluid.
     void check_fluid(const Stage& stage) {
@@ -410,6 +417,7 @@ void check_stage(Checks& checks, const Stage& stage) {
     }
     checks.check_fluid(stage);
     checks.check_start(stage);
+    checks.check_stack(stage);
 }
 
 } // namespace

@@ -176,6 +176,9 @@ std::vector<Key> preset_rows() {
         ratio("presets.*", "stress_error", above_zero, "Replaces it in [balance]."),
         count("presets.*", "patience", from_one, "Replaces it in [balance]."),
         quantity("presets.*", "max_rate", dimension::rate, above_zero, "Replaces `max_rate` of every compact stage."),
+        quantity(
+            "presets.*", "hold_at_most", dimension::time, above_zero, "Replaces `hold_at_most` of every migrate stage."
+        ),
     };
 }
 

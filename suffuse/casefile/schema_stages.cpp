@@ -147,7 +147,29 @@ std::vector<Key> preparation_rows() {
                 "stage.import", "max_overlap", {0, 2, true, false},
                 "Largest overlap that is accepted / radius of the smaller grain."
             ),
-            ratio("stage.pack", "porosity", {0.45, 1, false, true}, "Porosity of the cloud without overlaps."),
+            ratio(
+                "stage.pack", "porosity", {0.45, 1, false, true},
+                "Porosity of the cloud without overlaps; 0.5 for `layers` unless given."
+            ),
+            other(
+                "stage.pack", "layers", "[{ soil = \"base\", thickness = \"3 mm\" }, ...]",
+                "Soils one after the other in the order of the flow, the base first, periodic on all sides. The study "
+                "then has neither `soil` nor `particles`: grains are as many as `width` and thicknesses hold. The "
+                "grains of the first layer are fine: `migrate` moves them, and holds the others."
+            ),
+            choice(
+                "stage.pack", "axis", names::words_of(names::axis),
+                "With `layers`: across the layers; the flow goes along it."
+            ),
+            quantity(
+                "stage.pack", "width", dimension::length, above_zero,
+                "With `layers`: of their square cross-section, settled; at least three of the largest grains."
+            ),
+            required(text("stage.pack.layers", "soil", "Name of a [soil.NAME].")),
+            required(quantity(
+                "stage.pack.layers", "thickness", dimension::length, above_zero,
+                "Along the axis, settled at a porosity of 0.4; at least three of the largest grains."
+            )),
             required(quantity(
                 "stage.compact", "pressure", dimension::pressure, above_zero, "Isotropic stress to reach and settle at."
             )),

@@ -170,13 +170,15 @@ std::vector<Key> migrate_rows() {
     return {
         required(list_of(ratio(
             stage, "gradients", above_zero,
-            "Hydraulic gradients, applied one after the other. Each is held until so few fines move (`still`)."
+            "Hydraulic gradients, applied one after the other. Each is held until so few fines move (`still`). In "
+            "`layers` they are of the base before it moves; the head that gives them is then kept."
         ))),
         direction(stage, "Where the water goes: grad p = -i rho_w g direction."),
         quantity(
             stage, "exit", dimension::length, above_zero,
             "A fine grain that crosses this plane has left: its distance along the flow from where the water enters "
-            "the cell. By default a grain leaves after one cell length along the flow."
+            "the cell, or the base of a stack. By default a grain leaves after one cell length along the flow, a base "
+            "grain within the largest filter grain of the filter's end."
         ),
         choice(
             stage, "skeleton", names::words_of(names::skeleton),

@@ -136,9 +136,19 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
                           : fmt::format("known are {}", fmt::join(known, ", "))
         );
     }
-    const bool packs = std::any_of(study.stages.begin(), study.stages.end(), [](const Stage& stage) {
+    const bool packs = std::ranges::any_of(study.stages, packs_one_soil);
+    const bool stacks = !packs && std::ranges::any_of(study.stages, [](const Stage& stage) {
         return traits_of(stage).origin == Origin::Soil;
     });
+    for (const char* key : {"soil", "particles", "sample_size"}) {
+        if (stacks && v.has(key)) {
+            v.error(
+                "E207", context.places[fmt::format("{}.{}", v.path(), key)],
+                fmt::format("{} packs layers, and gives `{}`", v.title(), key),
+                "leave it out: each layer names its soil, and has as many grains as its thickness holds"
+            );
+        }
+    }
     if (packs && study.soil.empty()) {
         v.error(
             "E201", v.place(), fmt::format("{} packs grains and needs `soil`", v.title()),
@@ -203,6 +213,7 @@ void read_variant(
         variant.sized_by = size.rule;
     }
     variant.stages = chosen_stages(copy.stages, variant.values);
+    check_layers(context, around.settings, variant, path);
     check_physics(context, around.settings, study, variant);
     study.variants.push_back(std::move(variant));
 }

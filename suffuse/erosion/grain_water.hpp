@@ -28,6 +28,8 @@ public:
     /// Along the flow [m2].
     [[nodiscard]] double permeability() const { return seepage_.permeability; }
 
+    [[nodiscard]] const flow::Seepage& seepage() const { return seepage_; }
+
     /// Mean velocity in the pore at a place [m/s].
     [[nodiscard]] Vec3 velocity_at(const Vec3& place) const;
 

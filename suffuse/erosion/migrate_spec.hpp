@@ -19,8 +19,9 @@ enum class Skeleton {
 struct MigrateSpec {
     std::vector<double> gradients; ///< one after the other, each held until so few fines move
     Vec3 direction = {0, 0, 1};    ///< of the flow
-    std::optional<double> exit;    ///< plane across the flow, from where it enters the cell [m]; nothing: a grain that
-                                   ///< has traveled one cell length along the flow has left
+    std::optional<double> exit;    ///< plane across the flow, from where it enters the cell, or the base [m]; nothing:
+                                ///< a grain that has traveled one cell length along the flow has left, in a stack one
+                                ///< that comes within the largest filter grain of the end
     Skeleton skeleton = Skeleton::Held;
     double hold_at_most = 2; ///< true time of a gradient [s]
     double still = 0.005;    ///< share of the fines' mass that may move when a hold ends [-]
@@ -32,6 +33,8 @@ struct MigrateSpec {
     std::optional<double> time_at_most;        ///< true time of all holds [s]
     std::optional<std::int64_t> steps_at_most; ///< of all holds
     std::optional<Gravity> gravity;            ///< of the case
+    bool stack = false; ///< fines are a base, coarse grains its filter (stack.hpp): no base grain carries the skeleton,
+                        ///< and gradients are of the base
 };
 
 } // namespace suffuse::erosion

@@ -3,6 +3,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/erosion/base_profile.hpp"
 #include "suffuse/erosion/migration_leg.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/rest_under_weight.hpp"
@@ -63,8 +64,25 @@ double length_along(const Mat3& h, const MigrateSpec& spec) {
     return length;
 }
 
+/// The plane by which base grains leave [m].
+double exit_of(const Stack& stack, const MigrateSpec& spec) {
+    const double exit = spec.exit.value_or(stack.length - stack.filter_grain);
+    if (exit <= stack.base_thickness()) {
+        throw StateError(fmt::format(
+            "exit: {:.4g} m after the water enters the base the base has not ended, which is {:.4g} m thick; take "
+            "more, "
+            "or leave `exit` out: base grains leave at the end of the filter",
+            exit, stack.base_thickness()
+        ));
+    }
+    return stack.face + exit;
+}
+
 /// Along the flow to the exit from `start` [m].
-double distance_to_exit(const Vec3& start, const MigrateSpec& spec, double length) {
+double distance_to_exit(const Vec3& start, const MigrateSpec& spec, double length, const Stack& stack) {
+    if (stack.is_stack()) {
+        return stack.exit - stack.place(dot(start, spec.direction) / norm(spec.direction));
+    }
     if (!spec.exit) {
         return length;
     }
@@ -72,11 +90,13 @@ double distance_to_exit(const Vec3& start, const MigrateSpec& spec, double lengt
     return ahead > 0 ? ahead : ahead + length;
 }
 
+/// @param base_share gradient of the base over that of the sample
 /// How many times its weight presses a fine grain at the highest gradient, where 95 % of them are pressed by less.
 double load_over_weight(
-    const dem::World& world, const std::vector<Vec3>& weight, const GrainWater& water, const MigrateSpec& spec
+    const dem::World& world, const std::vector<Vec3>& weight, const GrainWater& water, const MigrateSpec& spec,
+    double base_share
 ) {
-    const double gradient = *std::ranges::max_element(spec.gradients) * strength(spec);
+    const double gradient = *std::ranges::max_element(spec.gradients) / base_share * strength(spec);
     std::vector<double> ratio;
     for (std::uint32_t g = 0; g < world.grains.size(); ++g) {
         if (world.grains.fine[g] != 0) {
@@ -111,11 +131,19 @@ WeighedCopy
 rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
     const std::vector<Vec3> weight = buoyant_weights(sample, *spec.gravity, around.fluid);
     const GrainWater water(sample, std::vector<std::uint8_t>(sample.grains.size()), spec.direction, around.fluid);
-    WeighedCopy copy(sample, weight, {.softness = spec.softness}, load_over_weight(sample, weight, water, spec));
+    std::vector<std::uint8_t> held;
+    if (migration.stack.is_stack()) {
+        migration.at_first = migration.now = layer_gradients(water.seepage(), migration.stack, spec.direction);
+        held = held_in_stack(sample, migration.stack, spec.direction);
+    }
+    const double load = load_over_weight(sample, weight, water, spec, migration.at_first.base);
+    WeighedCopy copy(sample, weight, {.softness = spec.softness}, load, held);
     const Pulse pulse = [&around, before = migration.steps](std::string_view part, long long steps) {
         beat(around.pulse, part, before + steps);
     };
-    migration.rested = rest_under_weight(copy, pulse).ended && migration.rested;
+    if (!migration.stack.is_stack()) { // a base rests where it was compacted
+        migration.rested = rest_under_weight(copy, pulse).ended && migration.rested;
+    }
     migration.steps += copy.steps();
     migration.scale = copy.scale();
     migration.world = copy.whole();
@@ -172,7 +200,13 @@ bool end_hold(Migration& migration, const MigrateSpec& spec) {
     hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
     hold.porosity = dem::porosity(migration.world);
     hold.ended = hold.moving_mass_share <= spec.still;
-    return hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+    const bool is_over = hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+    if (is_over && migration.stack.is_stack()) {
+        note_profile(
+            migration.ledger, migration.world, migration.stack, spec.direction, migration.result.profile, hold
+        );
+    }
+    return is_over;
 }
 
 void begin_next_hold(Migration& migration, const MigrateSpec& spec) {
@@ -209,6 +243,10 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
     dem::World sorted = sample;
     dem::sort_along_curve(sorted);
     migration.stress = dem::mean_stress_tensor(sorted);
+    if (spec.stack) {
+        migration.stack = find_layers(sorted, spec.direction);
+        migration.stack.exit = exit_of(migration.stack, spec);
+    }
     if (spec.skeleton == Skeleton::Moves && !(dem::mean_stress(migration.stress) > 0)) {
         throw StateError("skeleton = \"moves\": the sample carries no stress that its skeleton could keep; compact it "
                          "first, or take \"held\"");
@@ -221,7 +259,7 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         ledger.diameter.push_back(2 * sorted.grains.radius[g]);
         ledger.mass.push_back(sorted.grains.mass[g]);
         ledger.start.push_back(copy.position(p));
-        ledger.to_exit.push_back(distance_to_exit(copy.position(p), spec, length));
+        ledger.to_exit.push_back(distance_to_exit(copy.position(p), spec, length, migration.stack));
         ledger.where.push_back(copy.bears_load(p) ? Whereabouts::Fixed : Whereabouts::Stayed);
         migration.result.fines_mass += sorted.grains.mass[g];
     }
@@ -233,6 +271,11 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
     ledger.departed_at.assign(ledger.size(), 0);
     ledger.left.assign(ledger.size(), -1);
     ledger.goes.assign(ledger.size(), 0);
+    if (spec.stack) {
+        MigrationHold none;
+        migration.result.profile = begin_profile(sorted, migration.stack, spec.direction);
+        note_profile(ledger, sorted, migration.stack, spec.direction, migration.result.profile, none);
+    }
     migration.result.holds.push_back({.gradient = spec.gradients.front()});
     return migration;
 }

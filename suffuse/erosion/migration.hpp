@@ -9,6 +9,7 @@
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/migration_result.hpp"
+#include "suffuse/erosion/stack.hpp"
 #include "suffuse/erosion/weight.hpp"
 
 #include <cstdint>
@@ -29,9 +30,12 @@ struct Migration {
     double hindrance = 1;       ///< of the last flow: drag over Stokes' of the median resting fine grain [-]
     double solids_mass = 0;     ///< of the sample before [kg]
     Mat3 stress;                ///< mean, of the sample before [Pa]
-    bool rested = true;         ///< each time before the flow, within the time for it
-    bool settles = false;       ///< next the skeleton finds its new equilibrium
-    bool over = false;          ///< all gradients are done, or a budget is
+    Stack stack;                ///< where its layers are; none: one soil
+    LayerGradients at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
+    LayerGradients now;      ///< of the last flow
+    bool rested = true;      ///< each time before the flow, within the time for it
+    bool settles = false;    ///< next the skeleton finds its new equilibrium
+    bool over = false;       ///< all gradients are done, or a budget is
 };
 
 /// Lets the fines of `sample` come to rest under their weight. @throws CaseError, StateError for a setting or sample

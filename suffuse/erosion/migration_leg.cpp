@@ -72,8 +72,11 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       water_(before.world, flags_of_rows(before.world, ledger_), spec.direction, around.fluid),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
       start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
-      pull_(before.result.holds.back().gradient * strength(spec)), force_(before.world.grains.size()),
-      rate_(before.world.grains.size()) {
+      gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
+      force_(before.world.grains.size()), rate_(before.world.grains.size()) {
+    if (before.stack.is_stack()) {
+        layers_ = layer_gradients(water_.seepage(), before.stack, spec.direction);
+    }
     const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
     const double flow = specific * water_.permeability() / around.fluid.viscosity;
     power_ = specific * flow * cell::volume(before.world.cell);
@@ -109,11 +112,17 @@ void Leg::enter(Migration& migration) {
     migration.hindrance = water_.hindrance();
     migration.result.holds.back().held_for += took_;
     migration.result.holds.back().permeability = water_.permeability();
+    migration.now = layers_;
+    const double sample_gradient = pull_ / strength(spec_);
+    migration.result.holds.back().sample_gradient = sample_gradient;
     note_whereabouts();
     migration.ledger = ledger_;
     MigrationRow row{
         .time = migration.time,
-        .gradient = migration.result.holds.back().gradient,
+        .gradient = gradient_,
+        .sample_gradient = sample_gradient,
+        .base_gradient = layers_.base * sample_gradient,
+        .filter_gradient = layers_.filter * sample_gradient,
         .permeability = water_.permeability(),
         .eroded_mass = eroded_mass(ledger_),
         .energy = migration.energy};
@@ -171,7 +180,7 @@ void Leg::note_travel(double time) {
         const Vec3 way = copy_.position(p) - ledger_.start[k];
         if (ledger_.departed[k] < 0 && norm(way) > departs * diameter(p)) {
             ledger_.departed[k] = time;
-            ledger_.departed_at[k] = pull_ / strength(spec_);
+            ledger_.departed_at[k] = gradient_;
         }
         if (ledger_.left[k] < 0 && dot(way, along) >= ledger_.to_exit[k]) {
             ledger_.left[k] = time;

@@ -52,7 +52,9 @@ private:
     WeighedCopy copy_;
     std::vector<Vec3> start_;          ///< fines where the flow was solved [m]
     double to_true_;                   ///< time of the copy to true time [-]
-    double pull_;                      ///< the gradient, for a flow of standard gravity [-]
+    double gradient_;                  ///< prescribed [-]
+    LayerGradients layers_;            ///< of this flow
+    double pull_;                      ///< the gradient of the cell, for a flow of standard gravity [-]
     double power_ = 0;                 ///< of the flow [W]
     double burst_time_ = 0, took_ = 0; ///< true [s]
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]

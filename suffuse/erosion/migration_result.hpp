@@ -12,18 +12,22 @@ namespace suffuse::erosion {
 
 /// A solution of the flow, and what happened until the next one.
 struct MigrationRow {
-    double time = 0;         ///< at its end, since the first gradient [s]
-    double gradient = 0;     ///< [-]
-    double permeability = 0; ///< along the flow, among the grains that do not go with it [m2]
-    double eroded_mass = 0;  ///< so far [kg]
-    double moving_mass = 0;  ///< [kg]
-    double lodged_mass = 0;  ///< that left its place and rests in another [kg]
-    double energy = 0;       ///< spent by the flow so far, integral of rho g Q i L dt [J]
+    double time = 0;            ///< at its end, since the first gradient [s]
+    double gradient = 0;        ///< prescribed [-]
+    double sample_gradient = 0; ///< of the whole cell: the same but in a stack [-]
+    double base_gradient = 0;   ///< as the base has it now; the same but in a stack [-]
+    double filter_gradient = 0; ///< likewise of the filter [-]
+    double permeability = 0;    ///< along the flow, among the grains that do not go with it [m2]
+    double eroded_mass = 0;     ///< so far [kg]
+    double moving_mass = 0;     ///< [kg]
+    double lodged_mass = 0;     ///< that left its place and rests in another [kg]
+    double energy = 0;          ///< spent by the flow so far, integral of rho g Q i L dt [J]
 };
 
 /// What became of a gradient.
 struct MigrationHold {
     double gradient = 0;                                 ///< [-]
+    double sample_gradient = 0;                          ///< of the whole cell: the same but in a stack [-]
     double held_for = 0;                                 ///< true time [s]
     bool ended = false;                                  ///< so few fines moved; else the time or the steps were over
     double eroded_mass_share = 0, moving_mass_share = 0; ///< of the fines' mass, at its end [-]
@@ -32,6 +36,15 @@ struct MigrationHold {
     double volumetric_strain = 0;                        ///< of the skeleton after it, compression positive [-]
     double stress_kept = 1; ///< of the mean stress, by a skeleton at constant volume without the grains that left [-]
     bool failed = false;    ///< the skeleton does not carry its stresses any more
+    double entered_mass_share = 0; ///< of the base's mass: beyond the interface of a stack, eroded or not [-]
+    double depth = 0; ///< beyond the interface, of 95 % of the mass of a base that is in the filter still [m]
+};
+
+/// Where the base of a stack is, in slices along the flow.
+struct BaseProfile {
+    double first = 0, step = 0;            ///< beginning of the first slice from the interface, and their thickness [m]
+    std::vector<double> filter;            ///< solid volume of the filter, a row a slice, over that of the slice [-]
+    std::vector<std::vector<double>> base; ///< likewise of the base: before, and at the end of each hold
 };
 
 /// What has become of a fine grain.
@@ -80,6 +93,7 @@ struct MigrationResult {
     std::vector<MigrationRow> rows;
     std::vector<MigrationHold> holds;
     double fines_mass = 0; ///< of the sample before [kg]
+    BaseProfile profile;   ///< of a stack
 };
 
 /// Mass that crossed the exit [kg].

@@ -90,12 +90,13 @@ double time_step_of_free_grains(const dem::World& world) {
 } // namespace
 
 WeighedCopy::WeighedCopy(
-    const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight
+    const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight,
+    const std::vector<std::uint8_t>& held
 )
     : world_(sample), weight_(std::move(weight)) {
     grains::Grains& grains = world_.grains;
     world_.cell.velocity_gradient = {};
-    const std::vector<std::uint8_t> bears = find_load_bearing(world_, weight_);
+    const std::vector<std::uint8_t> bears = held.empty() ? find_load_bearing(world_, weight_) : held;
     for (std::uint32_t g = 0; g < grains.size(); ++g) {
         const bool is_free = grains.fine[g] != 0 && bears[g] == 0;
         grains.velocity[g] = grains.spin[g] = {};

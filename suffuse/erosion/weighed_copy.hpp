@@ -21,9 +21,11 @@ inline constexpr double load_of_skeleton = 100;
 
 class WeighedCopy {
 public:
-    /// @param weight of each grain, less buoyancy [N]; @param motion and the last one: see scale_weight
+    /// @param weight of each grain, less buoyancy [N]; @param motion and load_over_weight: see scale_weight
+    /// @param held a row a grain, 1 for what never moves; empty: coarse grains, and fines that bear the skeleton's load
     WeighedCopy(
-        const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight = 1
+        const dem::World& sample, std::vector<Vec3> weight, const WeighedMotion& motion, double load_over_weight = 1,
+        const std::vector<std::uint8_t>& held = {}
     );
 
     /// Goes on from the `whole` of another copy: what is held there carries the skeleton.

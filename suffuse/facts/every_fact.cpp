@@ -251,6 +251,29 @@ const std::vector<Fact> of_remove = {
     {"passes", "", "one object a pass, below", ""},
 };
 
+const std::vector<Fact> of_stack = {
+    {"base_thickness", "m", "from where the water enters to where the filter begins", ""},
+    {"filter_thickness", "m", "of all layers behind the base", ""},
+    {"exit", "m", "plane by which base grains leave, from where the water enters", ""},
+    {"screen_mass_share", "-", "of the base's mass: held where the water enters", ""},
+    {"base_permeability", "m2", "from the heads within it, while nothing has moved", ""},
+    {"filter_permeability", "m2", "likewise", ""},
+    {"interface_head_share", "-", "of the whole head: what the layers' own gradients do not account for", ""},
+    {"base_permeability_after", "m2", "of the last solution", ""},
+    {"filter_permeability_after", "m2", "likewise", ""},
+    {"base_stress", "Pa", "mean stress of the sample over K: what presses the base, whose contacts are softer by K",
+     ""},
+    {"ended", "", "whether motion ended at every gradient", ""},
+};
+
+const std::vector<Fact> of_layers = {
+    {"soil", "", "name of the soil", ""},
+    {"grains", "-", "drawn of it", ""},
+    {"mass", "kg", "of them", ""},
+    {"thickness", "m", "specified, settled at a porosity of 0.4", ""},
+    {"grading_largest_difference", "-", "of percent passing between the layer and its grading", ""},
+};
+
 const std::vector<Fact> of_migrate = {
     {"model", "", "`with weight`", ""},
     {"eroded_mass_share", "-", "mass that crossed `exit` / mass of the fines before", ""},
@@ -264,6 +287,7 @@ const std::vector<Fact> of_migrate = {
     {"seconds", "s", "of the soil's own time, over all gradients", ""},
     {"flow_energy", "J", "spent by the flow, the integral of rho g Q i L", ""},
     {"holds", "", "one object a gradient, below", ""},
+    {"stack", "", "of layers: below", ""},
     {"rested", "", "whether the fines came to rest under their weight before the flow", ""},
     {"weight_scale", "-", "K, by which contacts are softer than the soil's", ""},
     {"hindrance", "-", "drag over Stokes', of the median resting fine grain in the last solution", ""},
@@ -356,6 +380,7 @@ std::vector<Group> make_groups() {
          facts_of(fines)},
         {"`import`", "", of_import},
         {"`pack`", "", of_pack},
+        {"`layers` of `pack`", "layers", of_layers},
         {"`compact`", "", of_compact},
         {"Laboratory tests", "", of_triaxial},
         {"`response` of `triaxial` and `plane-strain`", "response", facts_of(response)},
@@ -381,6 +406,7 @@ std::vector<Group> make_groups() {
         {"`erode`", "", of_erode},
         {"`remove`", "", of_remove},
         {"`migrate` ([theory](theory/migration.md))", "", of_migrate},
+        {"`stack` of `migrate`", "stack", of_stack},
         {"`holds` of `migrate`, an object a gradient", "holds", facts_of(migration_hold)},
         {"`passes` of `erode` and `remove`, an object a pass", "passes", facts_of(pass)},
         {"`passes` of `erode`, beyond that", "passes", joined(facts_of(pass_with_water), of_pass_with_water)},

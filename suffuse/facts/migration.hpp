@@ -11,6 +11,10 @@ namespace suffuse::facts {
 /// A gradient: an object of `holds`.
 inline constexpr std::tuple migration_hold{
     row<&erosion::MigrationHold::gradient>("gradient", "-", "hydraulic gradient"),
+    row<&erosion::MigrationHold::sample_gradient>(
+        "sample_gradient", "-",
+        "of the whole sample; in layers that which gives the base `gradient` while nothing has moved"
+    ),
     row<&erosion::MigrationHold::held_for>("held_seconds", "s", "how long it was held, in the soil's own time"),
     row<&erosion::MigrationHold::ended>(
         "ended", "", "whether motion ended, by `still`; false where a limit of time or steps cut the hold"
@@ -36,6 +40,13 @@ inline constexpr std::tuple migration_hold{
     ),
     row<&erosion::MigrationHold::failed>(
         "failed", "", "whether the skeleton does not carry its stresses any more after the hold"
+    ),
+    row<&erosion::MigrationHold::entered_mass_share>(
+        "entered_mass_share", "-",
+        "in layers: of the base's mass, beyond the plane where the filter begins, whether it has left or not"
+    ),
+    row<&erosion::MigrationHold::depth>(
+        "depth", "m", "in layers: beyond that plane, what 95 % of the mass of the base that is in the filter has come"
     ),
 };
 

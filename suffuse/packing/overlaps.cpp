@@ -90,17 +90,18 @@ bool push_apart(
     return moved;
 }
 
-} // namespace
-
-bool clear_overlaps(
-    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds, const Pulse& pulse
-) {
-    return clear_overlaps_around(h, radius, position, 0, most_rounds, pulse);
+/// Brings each grain back between its planes.
+void keep_between(const Slabs& slabs, std::span<const double> radius, std::vector<Vec3>& position) {
+    for (std::size_t g = 0; g < position.size(); ++g) {
+        double& at = position[g][slabs.axis];
+        at = std::clamp(at, slabs.low[g] + radius[g], slabs.high[g] - radius[g]);
+    }
 }
 
-bool clear_overlaps_around(
-    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds,
-    const Pulse& pulse
+/// @param fixed rows before this one stay; @param slabs may be null
+bool clear(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, const Slabs* slabs,
+    int most_rounds, const Pulse& pulse
 ) {
     constexpr int sweeps = 12; // over the pairs that are near when a round begins
     if (radius.empty()) {
@@ -114,9 +115,34 @@ bool clear_overlaps_around(
         }
         for (int sweep = 0; sweep < sweeps && push_apart(pairs, h, radius, position, fixed); ++sweep) {
             beat(pulse, "part", round);
+            if (slabs != nullptr) {
+                keep_between(*slabs, radius, position);
+            }
         }
     }
     return false;
+}
+
+} // namespace
+
+bool clear_overlaps(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, int most_rounds, const Pulse& pulse
+) {
+    return clear_overlaps_around(h, radius, position, 0, most_rounds, pulse);
+}
+
+bool clear_overlaps_around(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, std::size_t fixed, int most_rounds,
+    const Pulse& pulse
+) {
+    return clear(h, radius, position, fixed, nullptr, most_rounds, pulse);
+}
+
+bool clear_overlaps_between(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, const Slabs& slabs, int most_rounds,
+    const Pulse& pulse
+) {
+    return clear(h, radius, position, 0, &slabs, most_rounds, pulse);
 }
 
 bool bring_to_porosity(dem::World& world, double porosity, int most_rounds) {

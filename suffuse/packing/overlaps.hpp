@@ -25,6 +25,18 @@ bool clear_overlaps_around(
     const Pulse& pulse = {}
 );
 
+/// Planes that grains do not cross: one row a grain.
+struct Slabs {
+    int axis = 2;                            ///< across the planes; the cell is a box
+    std::vector<double> low = {}, high = {}; ///< between which each whole grain stays [m]
+};
+
+/// The same with every grain between its planes.
+bool clear_overlaps_between(
+    const Mat3& h, std::span<const double> radius, std::vector<Vec3>& position, const Slabs& slabs, int most_rounds,
+    const Pulse& pulse = {}
+);
+
 /// Shrinks (or widens) the cell of a world at rest to a porosity, grains with it, and clears the overlaps. Contacts and
 /// velocities are forgotten. @return whether no overlap is left; near the densest packings some are.
 bool bring_to_porosity(dem::World& world, double porosity, int most_rounds = default_rounds);

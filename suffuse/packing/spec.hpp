@@ -2,13 +2,27 @@
 // Preparation: a cloud of grains, and its compaction to a pressure and a density.
 
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace suffuse::packing {
 
-/// `do = "pack"`: a cloud without overlaps in a periodic cubic cell.
+/// A soil of a stack (stack.hpp).
+struct Layer {
+    std::string soil;     ///< name of a soil of the case
+    double thickness = 0; ///< along the axis, when settled [m]
+};
+
+/// Of a stack whose case does not say [-].
+inline constexpr double stack_porosity = 0.5;
+
+/// `do = "pack"`: a cloud without overlaps in a periodic cubic cell, or one of layers.
 struct PackSpec {
-    double porosity = 0.65; ///< of the cloud [-]
+    double porosity = 0.65;           ///< of the cloud [-]
+    std::vector<Layer> layers = {};   ///< in the order of the flow; none: one soil, in a cube
+    int axis = 2;                     ///< of the layers: x, y, z
+    std::optional<double> width = {}; ///< of the cross-section of the layers, when settled [m]
 };
 
 /// How the contacts behave during compaction only.

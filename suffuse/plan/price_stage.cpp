@@ -6,6 +6,7 @@
 #include "suffuse/dem/inertial_number.hpp"
 #include "suffuse/erosion/ramp.hpp"
 #include "suffuse/grains/sampling.hpp"
+#include "suffuse/packing/stack.hpp"
 #include "suffuse/plan/price_preparation.hpp"
 #include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
@@ -47,6 +48,7 @@ constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
 // What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
 constexpr Range price_error{0.75, 1.35};
 constexpr Range cloud_seconds{1e-6, 1e-4}; // a grain; the most of a million, which fit no cache of a processor
+constexpr Range layer_seconds{1e-5, 2e-4}; // likewise of layers, pushed apart in steps of porosity
 constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
 
 // Fines that migrate: steps of their rest, and while the median one would fall half its diameter; flows in a second.
@@ -101,6 +103,9 @@ public:
     }
 
     StagePrice operator()(const packing::PackSpec& spec) {
+        if (!spec.layers.empty()) {
+            return price_layers(spec);
+        }
         if (!variant_.soil) {
             throw Bug("a stage that packs without a soil");
         }
@@ -298,6 +303,28 @@ public:
     }
 
 private:
+    /// Of layers, as the run draws them.
+    [[nodiscard]] StagePrice price_layers(const packing::PackSpec& spec) {
+        grains::Grains grains;
+        for (std::size_t k = 0; k < spec.layers.size(); ++k) {
+            const packing::Layer& layer = spec.layers[k];
+            const packing::LayerSample drawn =
+                packing::sample_layer(case_.soils.at(layer.soil), packing::solid_of(layer, spec.width.value_or(0)));
+            for (const double radius : drawn.grains.radius) {
+                grains.fine[add_grain(grains, {}, radius, variant_.material.density)] = k == 0 ? 1 : 0;
+            }
+        }
+        sample_ = describe(grains, variant_.damping);
+        sample_.solid_fraction = 1 - spec.porosity;
+        return {
+            .seconds = count(sample_) * layer_seconds,
+            .memory_a_grain = grain_memory,
+            .basis = fmt::format(
+                "no steps; {} layers of {:.0f} grains, {:.0f} of them of the base", spec.layers.size(), count(sample_),
+                sample_.fines.grains
+            )};
+    }
+
     /// Of a test that turns: its strains, and the bursts in which it eases to each turn and comes back to its pace.
     [[nodiscard]] StagePrice price_legs(const triaxial::TriaxialSpec& spec, double a_strain) {
         constexpr Range turning{1'500, 4'000}; // steps

@@ -210,7 +210,13 @@ void from_json(const nlohmann::json& json, RemovalResult& of) {
     json.at("asked_mass").get_to(of.requested_mass);
 }
 SUFFUSE_MEMBERS(WeightScale, factor, acceleration, time, drag)
-SUFFUSE_MEMBERS(MigrationRow, time, gradient, permeability, eroded_mass, moving_mass, lodged_mass, energy)
+SUFFUSE_MEMBERS(Stack, length, face, interface, base_grain, filter_grain, exit)
+SUFFUSE_MEMBERS(LayerGradients, base, filter)
+SUFFUSE_MEMBERS(BaseProfile, first, step, filter, base)
+SUFFUSE_MEMBERS(
+    MigrationRow, time, gradient, sample_gradient, base_gradient, filter_gradient, permeability, eroded_mass,
+    moving_mass, lodged_mass, energy
+)
 
 void to_json(nlohmann::json& json, const MigrationHold& of) {
     json = record::facts_json(facts::migration_hold, of);
@@ -220,13 +226,13 @@ void from_json(const nlohmann::json& json, MigrationHold& of) {
     record::load_facts(json, facts::migration_hold, of);
 }
 
-SUFFUSE_MEMBERS(MigrationResult, rows, holds, fines_mass)
+SUFFUSE_MEMBERS(MigrationResult, rows, holds, fines_mass, profile)
 SUFFUSE_MEMBERS(
     MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, where, goes, before
 )
 SUFFUSE_MEMBERS( // but for the world, which is saved as a state
     Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance, solids_mass,
-    stress, rested, settles, over
+    stress, stack, at_first, now, rested, settles, over
 )
 } // namespace erosion
 

@@ -116,6 +116,9 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
                   {Whereabouts::Eroded, "eroded"},
                   {Whereabouts::Fixed, "fixed"}}
 )
+SUFFUSE_AS_JSON(Stack)
+SUFFUSE_AS_JSON(LayerGradients)
+SUFFUSE_AS_JSON(BaseProfile)
 SUFFUSE_AS_JSON(MigrationRow)
 SUFFUSE_AS_JSON(MigrationHold)
 SUFFUSE_AS_JSON(MigrationResult)

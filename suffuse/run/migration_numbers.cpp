@@ -9,11 +9,35 @@
 
 namespace suffuse::run {
 
+namespace {
+
+/// Of layers.
+nlohmann::json stack_numbers(const erosion::Migration& migration) {
+    const erosion::Stack& stack = migration.stack;
+    const erosion::LayerGradients &first = migration.at_first, &now = migration.now;
+    const std::vector<erosion::MigrationRow>& rows = migration.result.rows;
+    const double base = stack.base_thickness() / stack.length, filter = stack.filter_thickness() / stack.length;
+    return {
+        {"base_thickness", stack.base_thickness()},
+        {"filter_thickness", stack.filter_thickness()},
+        {"exit", stack.exit - stack.face},
+        {"screen_mass_share", erosion::mass_share(migration.ledger, erosion::Whereabouts::Fixed)},
+        {"base_permeability", rows.front().permeability / first.base},
+        {"filter_permeability", rows.front().permeability / first.filter},
+        {"interface_head_share", 1 - base * first.base - filter * first.filter},
+        {"base_permeability_after", rows.back().permeability / now.base},
+        {"filter_permeability_after", rows.back().permeability / now.filter},
+        {"base_stress", dem::mean_stress(migration.stress) / migration.scale.factor},
+        {"ended", std::ranges::all_of(migration.result.holds, &erosion::MigrationHold::ended)}};
+}
+
+} // namespace
+
 nlohmann::json migration_numbers(const erosion::Migration& migration) {
     using erosion::Whereabouts;
     const erosion::MigrationResult& result = migration.result;
     const double eroded = erosion::eroded_mass(migration.ledger);
-    return {
+    nlohmann::json numbers{
         {"model", model_name(true)},
         {"eroded_mass_share", eroded / result.fines_mass},
         {"eroded_share_of_fines", eroded / result.fines_mass},
@@ -32,6 +56,10 @@ nlohmann::json migration_numbers(const erosion::Migration& migration) {
         {"largest_overlap", migration.largest_overlap},
         {"flows", result.rows.size()},
         {"steps", migration.steps}};
+    if (migration.stack.is_stack()) {
+        numbers["stack"] = stack_numbers(migration);
+    }
+    return numbers;
 }
 
 std::vector<std::string> migration_remarks(const erosion::Migration& migration, const erosion::MigrateSpec& spec) {

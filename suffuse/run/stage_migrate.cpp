@@ -1,5 +1,6 @@
 // The verb migrate: fines travel with the water in true time, and what they leave to be read.
 
+#include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/migration.hpp"
 #include "suffuse/io/csv_writer.hpp"
@@ -27,13 +28,30 @@ std::string time_field(double time) {
 void write_rows(const std::filesystem::path& folder, const erosion::MigrationResult& result) {
     io::CsvWriter table(
         folder / "migration.csv",
-        "time,gradient,permeability,eroded_mass,eroded_mass_share,moving_mass_share,lodged_mass_share,energy"
+        "time,gradient,sample_gradient,base_gradient,filter_gradient,permeability,eroded_mass,eroded_mass_share,"
+        "moving_mass_share,lodged_mass_share,energy"
     );
     for (const erosion::MigrationRow& row : result.rows) {
         table.row(
-            row.time, row.gradient, row.permeability, row.eroded_mass, row.eroded_mass / result.fines_mass,
-            row.moving_mass / result.fines_mass, row.lodged_mass / result.fines_mass, row.energy
+            row.time, row.gradient, row.sample_gradient, row.base_gradient, row.filter_gradient, row.permeability,
+            row.eroded_mass, row.eroded_mass / result.fines_mass, row.moving_mass / result.fines_mass,
+            row.lodged_mass / result.fines_mass, row.energy
         );
+    }
+    table.finish();
+}
+
+/// profile.csv: a row a slice of a stack, at the beginning and at the end of each gradient. Depths are from where the
+/// filter begins, solid fractions of the slice.
+void write_profile(const std::filesystem::path& folder, const erosion::MigrationResult& result) {
+    const erosion::BaseProfile& profile = result.profile;
+    io::CsvWriter table(folder / "profile.csv", "gradient,from,to,base,filter");
+    for (std::size_t state = 0; state < profile.base.size(); ++state) {
+        const double gradient = state == 0 ? 0 : result.holds[state - 1].gradient;
+        for (std::size_t k = 0; k < profile.filter.size(); ++k) {
+            const double from = profile.first + static_cast<double>(k) * profile.step;
+            table.row(gradient, from, from + profile.step, profile.base[state][k], profile.filter[k]);
+        }
     }
     table.finish();
 }
@@ -72,7 +90,9 @@ void write_ledger(const std::filesystem::path& folder, const erosion::Migration&
 
 } // namespace
 
-void do_migrate(StageWork& work, const erosion::MigrateSpec& spec) {
+void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
+    erosion::MigrateSpec spec = given;
+    spec.stack = casefile::stack_of(work.variant, work.stage) != nullptr;
     const erosion::Surroundings around = work.surroundings();
     erosion::Migration migration;
     if (work.resumed.is_null()) {
@@ -95,6 +115,9 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& spec) {
     }
     write_rows(work.folder, migration.result);
     write_ledger(work.folder, migration, spec.direction);
+    if (spec.stack) {
+        write_profile(work.folder, migration.result);
+    }
     work.findings.migration = std::move(migration.result);
 }
 

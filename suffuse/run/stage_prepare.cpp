@@ -10,6 +10,7 @@
 #include "suffuse/packing/compact.hpp"
 #include "suffuse/packing/seed.hpp"
 #include "suffuse/packing/skeleton_first.hpp"
+#include "suffuse/packing/stack.hpp"
 #include "suffuse/packing/target_density.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/record/read_import.hpp"
@@ -190,6 +191,33 @@ void compact_skeleton_first(StageWork& work, const packing::CompactSpec& specifi
     work.numbers["steps"] = work.numbers["steps"].get<std::int64_t>() + placed.value("steps", std::int64_t{0});
 }
 
+void take_cloud(StageWork& work, packing::Cloud cloud) {
+    work.world.cell = cloud.cell;
+    work.world.reference_h = cloud.cell.h;
+    work.world.grains = std::move(cloud.grains);
+}
+
+/// Soils one after the other along an axis.
+void pack_layers(StageWork& work, const packing::PackSpec& spec) {
+    expects(spec.width.has_value(), "layers without a width passed the checks of the case");
+    const Pulse pulse = work.control.pulse();
+    std::vector<packing::LayerSample> drawn;
+    nlohmann::json& layers = work.numbers["layers"] = nlohmann::json::array();
+    const double density = work.variant.material.density;
+    for (const packing::Layer& layer : spec.layers) {
+        const grains::Soil& soil = work.what.soils.at(layer.soil);
+        drawn.push_back(packing::sample_layer(soil, packing::solid_of(layer, *spec.width), pulse));
+        layers.push_back(
+            {{"soil", layer.soil},
+             {"grains", drawn.back().grains.radius.size()},
+             {"mass", density * drawn.back().solid},
+             {"thickness", layer.thickness},
+             {"grading_largest_difference", drawn.back().grains.largest_difference}}
+        );
+    }
+    take_cloud(work, packing::make_stack(drawn, spec, density, work.variant.seed, pulse));
+}
+
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
@@ -210,14 +238,15 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
 }
 
 void do_pack(StageWork& work, const packing::PackSpec& spec) {
+    if (!spec.layers.empty()) {
+        pack_layers(work, spec);
+        return;
+    }
     expects(work.variant.soil.has_value(), "a pack stage without a soil passed the checks of the case");
     const Pulse pulse = work.control.pulse();
     const grains::SampledGrains sample =
         grains::sample_soil(*work.variant.soil, static_cast<int>(work.variant.particles), pulse);
-    packing::Cloud cloud = packing::make_cloud(sample, spec, work.variant.material.density, work.variant.seed, pulse);
-    work.world.cell = cloud.cell;
-    work.world.reference_h = cloud.cell.h;
-    work.world.grains = std::move(cloud.grains);
+    take_cloud(work, packing::make_cloud(sample, spec, work.variant.material.density, work.variant.seed, pulse));
     work.numbers["grading_largest_difference"] = sample.largest_difference;
     work.numbers["grading_tolerance"] = work.variant.soil->grading_tolerance;
     work.numbers["fines_content_reached"] = sample.fines_content;

@@ -49,7 +49,7 @@ do       = "settle"
 pressure = "100 kPa"
 )";
 
-/// Lines of a table, header first.
+/// Lines of a table, the header included.
 std::vector<std::string> lines_of_table(const std::filesystem::path& file) {
     std::vector<std::string> lines;
     std::istringstream text(text_of(file));
@@ -80,8 +80,8 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
     const std::vector<std::string> rows = lines_of_table(stage / "migration.csv"),
                                    ledger = lines_of_table(stage / "ledger.csv");
     EXPECT_EQ(
-        rows.front(), "time,gradient,permeability,eroded_mass,eroded_mass_share,moving_mass_share,"
-                      "lodged_mass_share,energy"
+        rows.front(), "time,gradient,sample_gradient,base_gradient,filter_gradient,permeability,eroded_mass,"
+                      "eroded_mass_share,moving_mass_share,lodged_mass_share,energy"
     );
     EXPECT_EQ(rows.size() - 1, away.at("flows").get<std::size_t>());
     EXPECT_EQ(ledger.front(), "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,fate,holders");
@@ -93,6 +93,59 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("own-migration-time"), std::string::npos);
     EXPECT_NE(page.find("own-migration"), std::string::npos);
+}
+
+/// A base of a third of its filter's size, above it.
+const std::string base_on_filter = R"(
+[gravity]
+down = "z"
+[output]
+formats = ["csv"]
+[soil.base]
+psd = { d = ["0.18 mm", "0.22 mm"], passing = ["0 %", "100 %"] }
+grading_tolerance = "10 %"
+[soil.filter]
+psd = { d = ["0.54 mm", "0.66 mm"], passing = ["0 %", "100 %"] }
+grading_tolerance = "10 %"
+[study.s]
+[[study.s.stage]]
+name   = "cloud"
+do     = "pack"
+layers = [{ soil = "base", thickness = "0.9 mm" }, { soil = "filter", thickness = "2.2 mm" }]
+width  = "2.2 mm"
+[[study.s.stage]]
+name     = "initial"
+do       = "compact"
+pressure = "100 kPa"
+protocol = "wide"
+[[study.s.stage]]
+name         = "flow"
+do           = "migrate"
+gradients    = [1]
+hold_at_most = "500 ms"
+direction    = "z"
+)";
+
+TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
+    const TempFolder folder;
+    run_text(reference_constants + base_on_filter, folder.path());
+    const json cloud = stage_of(folder.path(), "cloud"), flow = stage_of(folder.path(), "flow");
+    ASSERT_EQ(cloud.at("layers").size(), 2U);
+    EXPECT_EQ(cloud.at("layers")[0].at("soil"), "base");
+    const json& stack = flow.at("stack");
+    EXPECT_NEAR(stack.at("base_thickness").get<double>(), 0.9e-3, 0.15e-3);
+    EXPECT_LT(stack.at("screen_mass_share"), 0.4);
+    EXPECT_LT(stack.at("base_permeability"), stack.at("filter_permeability"));
+    EXPECT_LT(std::abs(stack.at("interface_head_share").get<double>()), 0.4);
+    EXPECT_LT(flow.at("eroded_mass_share"), 0.01) << "a filter of this ratio holds all but single grains";
+    const json& hold = flow.at("holds")[0];
+    EXPECT_EQ(stack.at("ended"), hold.at("ended"));
+    EXPECT_LT(hold.at("moving_mass_share"), 0.05) << "single grains in open holes";
+    EXPECT_LT(hold.at("sample_gradient"), hold.at("gradient"));
+    EXPECT_LT(hold.at("depth"), 1e-3);
+    const std::vector<std::string> profile = lines_of_table(folder.path() / "run/studies/s/flow/profile.csv");
+    EXPECT_EQ(profile.front(), "gradient,from,to,base,filter");
+    EXPECT_EQ(profile.size() % 2, 1U) << "before and after";
 }
 
 TEST(Migration, GoesOnAfterStopsToTheSameBits) {

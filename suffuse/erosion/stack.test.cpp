@@ -1,0 +1,210 @@
+// Layers: where they are, which head each takes, and a base that goes through a filter or does not.
+
+#include "suffuse/erosion/stack.hpp"
+
+#include "suffuse/base/error.hpp"
+#include "suffuse/base/parallel.hpp"
+#include "suffuse/dem/order.hpp"
+#include "suffuse/erosion/base_profile.hpp"
+#include "suffuse/erosion/migration.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace suffuse::erosion {
+namespace {
+
+constexpr double side = 2e-3; // of the cross-section [m]
+
+/// Cubic lattices of touching grains on a square of `side`: fine ones from `begin`, coarse ones behind them, as many
+/// layers of each.
+dem::World two_lattices(int fines_across, int fine_layers, int coarse_layers, double begin, double gap = 1.001) {
+    constexpr int coarse_across = 2;
+    const double d = side / fines_across, D = side / coarse_across;
+    dem::World world;
+    const double base = gap * fine_layers * d, length = base + gap * coarse_layers * D;
+    world.cell.h = diagonal({gap * side, gap * side, length});
+    const auto add = [&](double diameter, int across, int layers, double from, std::uint8_t fine) {
+        for (int k = 0; k < across * across * layers; ++k) {
+            const int x = k % across, y = k / across % across, z = k / across / across;
+            const Vec3 corner{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+            Vec3 at = gap * diameter * (corner + Vec3{0.5, 0.5, 0.5}) + Vec3{0, 0, from};
+            at.z = std::fmod(at.z, length);
+            world.grains.fine[add_grain(world.grains, at, diameter / 2, world.material.density)] = fine;
+        }
+    };
+    add(d, fines_across, fine_layers, begin, 1);
+    add(D, coarse_across, coarse_layers, begin + base, 0);
+    return world;
+}
+
+TEST(Stack, FindsItsLayersWhereverTheCellBegins) {
+    for (const double begin : {0.0, 0.7e-3, 2.5e-3, 4.9e-3}) {
+        const Stack stack = find_layers(two_lattices(10, 6, 4, begin), {0, 0, 1});
+        EXPECT_NEAR(stack.base_thickness(), 1.2e-3, 0.01e-3);
+        EXPECT_NEAR(stack.filter_thickness(), 4e-3, 0.02e-3);
+        const double off = (stack.face - begin) / stack.length;
+        EXPECT_NEAR(off, std::round(off), 0.005);
+        EXPECT_NEAR(stack.base_grain, 0.2e-3, 1e-9);
+        EXPECT_NEAR(stack.filter_grain, 1e-3, 1e-9);
+    }
+}
+
+TEST(Stack, HoldsItsFilterAndAScreenOfTheBase) {
+    const dem::World world = two_lattices(10, 6, 4, 4.9e-3);
+    const std::vector<std::uint8_t> held = held_in_stack(world, find_layers(world, {0, 0, 1}), {0, 0, 1});
+    const auto fines = static_cast<std::ptrdiff_t>(600);
+    EXPECT_EQ(std::accumulate(held.begin(), held.begin() + fines, 0), 100) << "the layer at the face";
+    EXPECT_EQ(std::accumulate(held.begin() + fines, held.end(), 0), 16) << "all of the filter";
+}
+
+TEST(Stack, OfMixedGrainsIsNone) {
+    dem::World world = two_lattices(4, 4, 4, 0);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        world.grains.fine[g] = g % 2 == 0 ? 1 : 0;
+    }
+    try {
+        find_layers(world, {0, 0, 1});
+        FAIL() << "these are no layers";
+    } catch (const StateError& error) {
+        EXPECT_NE(std::string(error.what()).find("no layers"), std::string::npos);
+    }
+}
+
+flow::Seepage unit_flow(const dem::World& world) {
+    return flow::solve_seepage(
+        world.cell, world.grains.position, world.grains.radius, {.gradient = 1, .direction = {0, 0, 1}}, {}
+    );
+}
+
+/// The slow way: each lattice alone, periodic.
+double permeability_alone(const dem::World& both, bool fine, double length) {
+    dem::World alone;
+    alone.cell.h = diagonal({both.cell.h(0, 0), both.cell.h(1, 1), length});
+    double first = 1;
+    for (std::size_t g = 0; g < both.grains.size(); ++g) {
+        first = (both.grains.fine[g] != 0) == fine ? std::min(first, both.grains.position[g].z) : first;
+    }
+    for (std::size_t g = 0; g < both.grains.size(); ++g) {
+        if ((both.grains.fine[g] != 0) == fine) {
+            const Vec3 x = both.grains.position[g] - Vec3{0, 0, first};
+            add_grain(alone.grains, x, both.grains.radius[g], both.material.density);
+        }
+    }
+    return unit_flow(alone).permeability;
+}
+
+TEST(Stack, GivesEachLayerTheHeadOfItsOwnResistance) {
+    const dem::World world = two_lattices(10, 12, 6, 0);
+    const Stack stack = find_layers(world, {0, 0, 1});
+    const flow::Seepage seepage = unit_flow(world);
+    const LayerGradients gradients = layer_gradients(seepage, stack, {0, 0, 1});
+    const double base = permeability_alone(world, true, stack.base_thickness());
+    const double filter = permeability_alone(world, false, stack.filter_thickness());
+    // The same water goes through all: the gradient of a layer is that of the sample by the ratio of permeabilities.
+    EXPECT_NEAR(seepage.permeability / gradients.base / base, 1, 0.01);
+    EXPECT_NEAR(seepage.permeability / gradients.filter / filter, 1, 0.02);
+    // Resistances add up, but for the planes between the layers, which are open: half a grain of each side.
+    const double share = stack.base_thickness() / stack.length;
+    const double of_layers = share / base + (1 - share) / filter;
+    EXPECT_NEAR(of_layers * seepage.permeability, 1, 0.05);
+    EXPECT_NEAR(share * gradients.base + (1 - share) * gradients.filter, 1, 0.05);
+}
+
+MigrateSpec downward(double gradient) {
+    return {
+        .gradients = {gradient},
+        .hold_at_most = 0.06,
+        .still_for = 0.02,
+        .gravity = Gravity{.down = {0, 0, 1}},
+        .stack = true,
+    };
+}
+
+Migration migrate(const dem::World& sample, const MigrateSpec& spec) {
+    Migration migration = begin_migration(sample, spec, {});
+    while (!migration.over) {
+        migrate_on(migration, spec, {});
+    }
+    return migration;
+}
+
+TEST(Stack, HoldsABaseThatIsAsCoarseAsItsHolesAndLosesOneThatFitsThroughThem) {
+    // Holes of a cubic lattice are 0.414 of its grains: of a half none gets through, of a quarter all could.
+    const Migration held = migrate(two_lattices(4, 4, 3, 0), downward(1));
+    EXPECT_EQ(eroded_mass(held.ledger), 0);
+    EXPECT_TRUE(held.result.holds.back().ended);
+    EXPECT_LT(held.result.holds.back().depth, 0.6e-3) << "the first layer of the filter stops them";
+    dem::World fine = two_lattices(8, 3, 2, 0);
+    fine.material.friction = 0; // with it they arch
+    MigrateSpec spec = downward(1);
+    spec.hold_at_most = 0.2;
+    const Migration lost = migrate(fine, spec);
+    EXPECT_GT(eroded_mass(lost.ledger), 0.1 * lost.result.fines_mass);
+}
+
+TEST(Stack, GivesTheBaseItsGradientAndKeepsItsMass) {
+    const dem::World sample = two_lattices(6, 4, 3, 1e-3);
+    const Migration migration = migrate(sample, downward(2));
+    const MigrationRow& first = migration.result.rows.front();
+    EXPECT_NEAR(first.base_gradient, 2, 1e-9);
+    EXPECT_LT(first.sample_gradient, 1.5);
+    EXPECT_LT(first.filter_gradient, 1);
+    for (const MigrationRow& row : migration.result.rows) {
+        EXPECT_EQ(row.sample_gradient, first.sample_gradient) << "the head is kept";
+    }
+    double before = 0, after = eroded_mass(migration.ledger);
+    for (const double mass : sample.grains.mass) {
+        before += mass;
+    }
+    for (const double mass : migrated_sample(migration, {}).grains.mass) {
+        after += mass;
+    }
+    EXPECT_NEAR(after / before, 1, 1e-13);
+    // The profile holds the base's volume, but for what has left; before, all of it.
+    const BaseProfile& profile = migration.result.profile;
+    ASSERT_EQ(profile.base.size(), 2U);
+    const double slice = sample.cell.h(0, 0) * sample.cell.h(1, 1) * profile.step * sample.material.density;
+    const double shown = slice * std::accumulate(profile.base.front().begin(), profile.base.front().end(), 0.0);
+    EXPECT_NEAR(shown / migration.result.fines_mass, 1, 1e-9);
+    const double left = slice * std::accumulate(profile.base.back().begin(), profile.base.back().end(), 0.0);
+    EXPECT_NEAR((left + eroded_mass(migration.ledger)) / migration.result.fines_mass, 1, 1e-9);
+}
+
+TEST(Stack, MigratesToTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
+    const dem::World sample = two_lattices(6, 4, 3, 1e-3);
+    const MigrateSpec spec = downward(5);
+    const int threads = thread_count();
+    set_thread_count(1);
+    const Migration one = migrate(sample, spec);
+    set_thread_count(3);
+    Migration three = begin_migration(sample, spec, {});
+    while (!three.over) {
+        Migration copy = three;
+        migrate_on(copy, spec, {});
+        three = copy;
+    }
+    set_thread_count(threads);
+    EXPECT_EQ(one.ledger.end, three.ledger.end);
+    EXPECT_EQ(one.result.profile.base, three.result.profile.base);
+    EXPECT_EQ(dem::state_hash(one.world), dem::state_hash(three.world));
+}
+
+TEST(Stack, NeedsAnExitBehindItsBase) {
+    MigrateSpec spec = downward(1);
+    spec.exit = 0.5e-3;
+    try {
+        begin_migration(two_lattices(6, 5, 3, 0), spec, {});
+        FAIL() << "the base is 1.7 mm thick";
+    } catch (const StateError& error) {
+        EXPECT_NE(std::string(error.what()).find("the base has not ended"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace suffuse::erosion
