@@ -13,7 +13,7 @@ const matches = (run, words) => {
 
 function draw() {
   const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean), shown = runs.filter((run) => matches(run, words));
-  $("count").textContent = shown.length === runs.length ? `${runs.length} runs` : `${shown.length} of ${runs.length} runs`;
+  $("count").textContent = shown.length === runs.length ? `${runs.length} ${runs.length === 1 ? "run" : "runs"}` : `${shown.length} of ${runs.length} runs`;
   $("run-table").tBodies[0].innerHTML = shown.map((run) =>
     `<tr${run.name === current ? ' aria-current="true"' : ""}><td><input type="checkbox" data-run="${escaped(run.name)}" aria-label="compare ${escaped(run.name)}"${chosen.has(run.name) ? " checked" : ""}></td><td><a href="#runs/${encodeURIComponent(run.name)}">${escaped(run.name)}</a><small>${escaped(run.title)}</small><small>${escaped(run.verdict[0] ?? "")}</small></td><td>${escaped(run.state)}<small>${run.finished ? `${escaped(run.finished.slice(0, 16).replace("T", " "))}` : ""}${run.wall_seconds ? `, ${seconds(run.wall_seconds)}` : ""}</small></td></tr>`).join("");
   $("compare").disabled = chosen.size !== 2;
