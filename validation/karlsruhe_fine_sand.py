@@ -1,4 +1,5 @@
-"""Karlsruhe fine sand in the laboratory and in the model: the tables of validation/karlsruhe_fine_sand.md. Takes minutes.
+#!/usr/bin/python3
+"""Karlsruhe fine sand in the laboratory and in the model: tables and figure of validation/karlsruhe_fine_sand.md. Takes minutes.
 
 The laboratory's curves are in karlsruhe_fine_sand_lab.csv, thinned. The parameters are those of an earlier fit to the drained
 tests at 100 and 400 kPa by Hertz-Mindlin; the tests at 200 kPa, the oedometer and the undrained tests were not fitted."""
@@ -6,6 +7,7 @@ tests at 100 and 400 kPa by Hertz-Mindlin; the tests at 200 kPa, the oedometer a
 import csv
 import pathlib
 
+import common
 import numpy as np
 import suffuse
 
@@ -18,6 +20,7 @@ STATES = {
     "dense": ((9.739, 20.012, 0.251, 0.576), {100e3: "TMD22", 200e3: "TMD23", 400e3: "TMD25"}, "OE11"),
 }
 STRAINS = np.array([0.005, 0.02, 0.05, 0.10])
+GRID = np.arange(0, 0.1001, 0.0025)  # of the figure
 SEEDS = (21, 22)
 
 
@@ -47,14 +50,36 @@ def sample(parameters, pressure, seed):
 
 
 def drained(parameters, pressure):
-    """q/p0 and the volumetric strain [%] at STRAINS, the mean over the seeds."""
+    """q/p0 and the volumetric strain [%] over GRID, the mean over the seeds."""
     ours = []
     for seed in SEEDS:
         curve = sample(parameters, pressure, seed).triaxial(0.101, rows=200, mode="fast")["curve"]
         strain, q, volume = (np.array([row[key] for row in curve])
                              for key in ("axial_strain", "deviator_stress", "volumetric_strain"))
-        ours.append([np.interp(STRAINS, strain, q) / pressure, 100 * np.interp(STRAINS, strain, volume)])
+        ours.append([np.interp(GRID, strain, q) / pressure, 100 * np.interp(GRID, strain, volume)])
     return np.mean(ours, axis=0)
+
+
+def at_strains(values):
+    return np.interp(STRAINS, GRID, values)
+
+
+def chart(rows):
+    """A column a state: q/p0 above, volumetric strain below; the laboratory dashed."""
+    def panel(field, title):
+        axis = {"field": field, "type": "quantitative", "title": title}
+        return {
+            "width": 200, "height": 170, "mark": {"type": "line", "strokeWidth": 1.6},
+            "encoding": {
+                "x": {"field": "strain", "type": "quantitative", "title": "axial strain [%]"}, "y": axis,
+                "color": {"field": "pressure", "type": "nominal", "title": "lateral stress [kPa]"},
+                "strokeDash": {"field": "source", "type": "nominal", "title": None,
+                               "scale": {"domain": ["model", "laboratory"], "range": [[1, 0], [5, 3]]}},
+                "column": {"field": "state", "title": None, "sort": list(STATES)},
+            },
+        }
+    return {"data": {"values": rows}, "vconcat": [
+        panel("ratio", "q over the lateral stress"), panel("volume", "volumetric strain [%]")]}
 
 
 def show(values, digits):
@@ -62,7 +87,13 @@ def show(values, digits):
 
 
 def main():
-    lab = laboratory()
+    given = common.options(__doc__)
+    lab, rows = laboratory(), []
+
+    def draw_later(state, pressure, source, strain, ratio, volume):
+        rows.extend({"state": state, "pressure": f"{pressure / 1e3:.0f}", "source": source, "strain": float(x),
+                     "ratio": float(y), "volume": float(z)} for x, y, z in zip(strain, ratio, volume))
+
     for state, (parameters, tests, oedometer) in STATES.items():
         for pressure, test in tests.items():
             try:
@@ -72,8 +103,11 @@ def main():
                 continue
             strain, q, contraction = lab[test]
             theirs = np.interp(100 * STRAINS, strain, q) / (pressure / 1e3)
-            print(f"| {state} | {pressure / 1e3:.0f} | {test} | {show(theirs, 2)} | {show(ratio, 2)} "
-                  f"| {show(np.interp(100 * STRAINS, strain, contraction), 2)} | {show(volume, 2)} |", flush=True)
+            print(f"| {state} | {pressure / 1e3:.0f} | {test} | {show(theirs, 2)} | {show(at_strains(ratio), 2)} "
+                  f"| {show(np.interp(100 * STRAINS, strain, contraction), 2)} | {show(at_strains(volume), 2)} |", flush=True)
+            draw_later(state, pressure, "model", 100 * GRID, ratio, volume)
+            shown = strain <= 10
+            draw_later(state, pressure, "laboratory", strain[shown], q[shown] / (pressure / 1e3), contraction[shown])
         stress, strain, _ = lab[oedometer]
         theirs = np.interp([50, 100, 200, 400], stress, strain) - np.interp(25, stress, strain)
         found, k0 = [], []
@@ -99,6 +133,7 @@ def main():
                              np.interp(STRAINS[:3], axial, mean) / pressure])
             ratio, effective = np.mean(ours, axis=0)
             print(f"| {test} | {state} | q/p0 {show(ratio, 2)} | p/p0 {show(effective, 2)} |", flush=True)
+    common.draw(given, "karlsruhe_fine_sand", chart(rows))
 
 
 main()
