@@ -63,6 +63,18 @@ TEST(Stack, HoldsItsFilterAndAScreenOfTheBase) {
     EXPECT_EQ(std::accumulate(held.begin() + fines, held.end(), 0), 16) << "all of the filter";
 }
 
+TEST(Stack, HoldsAGrainThatIsNoFurtherFromTheFaceThanTheLargestIsWide) {
+    dem::World world = two_lattices(10, 6, 4, 0);
+    const Stack stack = find_layers(world, {0, 0, 1});
+    constexpr std::size_t in_second_layer = 150;
+    const auto is_held = [&](double from_face) {
+        world.grains.position[in_second_layer].z = stack.face + from_face * stack.base_grain;
+        return held_in_stack(world, stack, {0, 0, 1})[in_second_layer] != 0;
+    };
+    EXPECT_TRUE(is_held(0.95));
+    EXPECT_FALSE(is_held(1.05));
+}
+
 TEST(Stack, OfMixedGrainsIsNone) {
     dem::World world = two_lattices(4, 4, 4, 0);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
