@@ -1,7 +1,7 @@
 // A calibration in the studio: records of tests, what is sought, the case, its run, and its report. The program is the real one.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { StudioInBrowser, nameless, picture } from "./studio_in_browser.mjs";
+import { StudioInBrowser, nameless, picture, priced } from "./studio_in_browser.mjs";
 
 const sand = "d [mm],passing [%]\n0.13,0\n0.14,50\n0.15,100\n", studio = new StudioInBrowser(), open = (...words) => studio.open(...words);
 
@@ -49,7 +49,7 @@ test("records are read and shown as understood, and become a case that is priced
   await page.locator("#calibrate-tests").scrollIntoViewIfNeeded();
   await picture(page, "calibrate-form");
   await page.click("#calibrate-write");
-  await page.waitForFunction(() => document.getElementById("stages").textContent.includes("First round") && !document.getElementById("start").disabled);
+  await priced(page, "First round");
   const text = await page.inputValue("#case");
   assert.ok(text.includes('[[calibrate.targets]]\nname = "T3"\nfile = "data/drained.csv"\nsample = "T3"\ntest = "drained"\npressure = "200 kPa"\nstrain = "1 %"\nvoid_ratio_of = "T1"\nheld_out = true\n'), text);
   assert.match(await page.textContent("#stages"), /First round: \d+ samples/);
@@ -76,6 +76,22 @@ test("a file that is no record, and a form that lacks something, say so", async 
   await context.close();
 });
 
+test("a calibration that is written while the soil's own case is on its way stays", async () => {
+  const { page, context } = await open();
+  let release;
+  const held = new Promise((resolve) => { release = resolve; });
+  await page.route("**/api/new", async (route) => { await held; await route.continue(); });
+  await fill(page);
+  await page.selectOption(`#target-role-${await idOf(page, "T1")}`, "fit");
+  await page.click("#calibrate-write");
+  assert.equal(await page.isDisabled("#make"), true, "the soil's own case is on its way");
+  release();
+  await page.waitForFunction(() => !document.getElementById("make").disabled);
+  await priced(page, "First round");
+  assert.match(await page.inputValue("#case"), /^\[calibrate\]$/m);
+  await context.close();
+});
+
 test("a calibration is started, watched, stopped, resumed, and reported", async () => {
   const { page, context, complaints } = await open();
   await fill(page);
@@ -85,7 +101,7 @@ test("a calibration is started, watched, stopped, resumed, and reported", async 
   await page.fill("#calibrate-samples", "12");
   await page.click("#calibrate-write");
   await page.fill("#case", (await page.inputValue("#case")).replace(/^(strain = .*)$/gm, "$1\nvoid_ratio_tolerance = 0.03"));
-  await page.waitForFunction(() => document.getElementById("stages").textContent.includes("First round") && !document.getElementById("start").disabled);
+  await priced(page, "First round");
   await page.fill("#name", "Sand fit");
   await page.click("#start");
   await page.waitForSelector("#live .stages caption, #live iframe", { state: "attached" });

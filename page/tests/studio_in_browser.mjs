@@ -53,6 +53,16 @@ export class StudioInBrowser {
   }
 }
 
+/** Waits for the price of the case in the tab Simulate, whose stages have this text; otherwise says what the page says. */
+export async function priced(page, text = "") {
+  try {
+    await page.waitForFunction((t) => document.getElementById("stages").textContent.includes(t) && !document.getElementById("start").disabled, text);
+  } catch (error) {
+    const shown = await page.evaluate(() => ["problems", "trouble", "price", "stages"].map((id) => document.getElementById(id).textContent).join(" | "));
+    throw new Error(`no price: ${shown}`, { cause: error });
+  }
+}
+
 /** A picture of the tutorial, where they are to be made. */
 export async function picture(page, name, options = {}) {
   if (!pictures) return;

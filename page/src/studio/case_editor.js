@@ -85,6 +85,7 @@ export class CaseEditor {
       this.showPlan(result.first_round ? { ...result.first_round, first: result.first_round, ...result } : result); // of a calibration: its samples are alike
     } catch (error) {
       if (error.name === "AbortError") throw error;
+      if (error.status === 0) setTimeout(this.price, 5000); // a server that comes back
       this.showPlan(null, error.problems?.length ? [] : [error.message]);
       this.showProblems(error.problems?.length ? error.problems : [{ kind: "error", line: 0, message: error.message }]);
     }

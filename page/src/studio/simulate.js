@@ -23,7 +23,8 @@ const planned = (plan) => plan.first ? plannedSamples(plan) : `<table><thead><tr
 /** The case as it is now, which a sweep can start from. */
 export const caseNow = () => ({ text: editor.text, files: editor.files, name: $("name").value });
 
-async function make() {
+/** @param overwrites a text that came while the case was on its way */
+async function make(overwrites) {
   const example = $("from").value, way = $("way").value;
   $("make").disabled = true;
   try {
@@ -34,6 +35,7 @@ async function make() {
       sizes: sizes ? `${$("size-from").value}mm,${$("size-to").value}mm` : "",
       particles: $("particles").value, pressure: $("pressure").value ? `${$("pressure").value}kPa` : "",
     });
+    if (!overwrites && editor.text) return;
     trouble();
     $("made").innerHTML = list(talk.filter((line) => !line.startsWith("next:")));
     editor.take(result.case, result.files, example || soil.curve.name.replace(/\.[^.]*$/, ""));
@@ -41,8 +43,9 @@ async function make() {
     trouble(error);
     const isWhole = !example && soil.curve && way === "";
     $("made").innerHTML = isWhole ? list(["A soil that is too wide to simulate whole can be modeled in part, or by a surrogate: choose under Model it."]) : "";
+  } finally {
+    $("make").disabled = false;
   }
-  $("make").disabled = false;
 }
 
 async function start() {
@@ -68,7 +71,7 @@ const showWay = () => {
 /** When the tab is opened: with the first soil, its case is written at once. */
 export function openSimulate() {
   showConditions();
-  if (soil.curve && !$("case").value && !$("from").value) make();
+  if (soil.curve && !$("case").value && !$("from").value) make(false);
 }
 
 export function connectSimulate() {
@@ -80,6 +83,6 @@ export function connectSimulate() {
     $("from").innerHTML += result.map((name) => `<option value="${escaped(name)}">${escaped(name)}${titles[name] ? `: ${titles[name]}` : ""}</option>`).join("");
   }, trouble);
   for (const id of ["from", "way", "size-from", "size-to"]) $(id).addEventListener("input", showWay);
-  $("make").addEventListener("click", make);
+  $("make").addEventListener("click", () => make(true));
   $("start").addEventListener("click", start);
 }
