@@ -47,7 +47,7 @@ test("records are read and shown as understood, and become a case that is priced
   await page.fill("#calibrate-samples", "8");
   assert.deepEqual(await nameless(page), []);
   await page.locator("#calibrate-tests").scrollIntoViewIfNeeded();
-  await picture(page, "calibrate-form");
+  await picture(page, "calibrate-form", { clip: { x: 0, y: 0, width: 340, height: 900 } });
   await page.click("#calibrate-write");
   await priced(page, "First round");
   const text = await page.inputValue("#case");
