@@ -29,9 +29,10 @@ std::string digits_of(const json& parameter, double value) {
 }
 
 /// "a, b and c"
-std::string listed(const std::vector<std::string>& names) {
-    return names.size() < 2 ? fmt::format("{}", fmt::join(names, ""))
-                            : fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+std::string listed(const std::vector<std::string>& names, std::string_view before_last = "and") {
+    return names.size() < 2
+               ? fmt::format("{}", fmt::join(names, ""))
+               : fmt::format("{} {} {}", fmt::join(names.begin(), names.end() - 1, ", "), before_last, names.back());
 }
 
 struct WorstFit {
@@ -117,7 +118,7 @@ std::vector<std::string> verdict_of(const json& calibration) {
         verdict.push_back(fmt::format("The tests give {}.", listed(known)));
     }
     if (!open.empty() && !known.empty()) {
-        verdict.push_back(fmt::format("They do not identify {}.", listed(open)));
+        verdict.push_back(fmt::format("They do not identify {}.", listed(open, "or")));
     }
     return verdict;
 }

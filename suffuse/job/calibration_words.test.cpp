@@ -36,6 +36,8 @@ TEST(CalibrationWords, NameWhatTheTestsLeaveOpen) {
     found["parameters"]["contact.friction"]["identified"] = false;
     ASSERT_EQ(verdict_of(found).size(), 2U);
     EXPECT_EQ(verdict_of(found)[1], "They do not identify friction.");
+    found["parameters"]["void_ratio.low"]["identified"] = false;
+    EXPECT_EQ(verdict_of(found)[1], "They do not identify friction or void ratio of low.");
     for (json& each : found["parameters"]) {
         each["identified"] = false;
     }
