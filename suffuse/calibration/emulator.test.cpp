@@ -1,6 +1,7 @@
 #include "suffuse/calibration/emulator.hpp"
 
 #include "suffuse/base/random.hpp"
+#include "suffuse/calibration/emulator_parts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,9 @@ TEST(CurveEmulator, FindsTheScatterBetweenRuns) {
         EXPECT_NEAR(emulator.variance(middle) * emulator.row_variance(row), scatter * scatter, 0.02);
         EXPECT_NEAR(emulator.left_out_errors()[row], scatter, 0.04);
     }
+    const Eigen::MatrixXd& errors = emulator.parts().standard_errors;
+    const double runs = static_cast<double>(errors.rows());
+    EXPECT_NEAR(errors.col(0).dot(errors.col(1)) / runs, 0, 0.02) << "rows scatter independently here";
 }
 
 TEST(CurveEmulator, LeavesRunsOutAsAFitWithoutThemDoes) {
