@@ -6,6 +6,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/contact_table.hpp"
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/record/stage_sums.hpp"
 
@@ -36,10 +37,13 @@ struct ExportVerb final : Verb {
 
     std::string stage;
     PackingOutput output;
+    std::string contacts; ///< file for what the contacts remember
 
     void add_to(Options& options) override {
         options.argument("STATE", stage, "a stage's state.h5, or the stage's folder").required();
         output.add_to(options);
+        options.value("--contacts", contacts, "also write shear forces and moments of the contacts to this CSV file")
+            .type("FILE");
     }
 
     [[nodiscard]] int act(const CommandLine&, const Console& console) const override;
@@ -80,7 +84,13 @@ int ExportVerb::act(const CommandLine&, const Console& console) const {
     dem::sort_by_id(world);
     io::export_packing(output.file, world, format);
     console.result(fmt::format("{}: {} grains", output.file, count_text(std::ssize(world.grains.radius))));
-    console.document(json_text({{"written", output.file}, {"grains", world.grains.size()}}));
+    nlohmann::json document = {{"written", output.file}, {"grains", world.grains.size()}};
+    if (!contacts.empty()) {
+        io::export_contacts(contacts, world);
+        console.result(fmt::format("{}: their contacts", contacts));
+        document["contacts"] = contacts;
+    }
+    console.document(json_text(document));
     return Done;
 }
 

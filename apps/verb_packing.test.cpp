@@ -50,6 +50,38 @@ TEST_F(Cli, PackingsTravel) {
     expect_in("here is a run; give one of its stages: here/studies/replay/start", which.error);
 }
 
+TEST_F(Cli, ContactsTravelNextToAPacking) {
+    run_suffuse({"new", "soil", "--from", "replay"});
+    ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "settled"}).code, 0);
+    const ProgramResult out =
+        run_suffuse({"export", "here/studies/replay/settled", "-o", "p.xyz", "--contacts", "c.csv", "--json"});
+    ASSERT_EQ(out.code, 0) << out.error;
+    EXPECT_EQ(out.json().at("contacts"), "c.csv");
+    const auto import_with = [&](const std::string& more) {
+        write_to(
+            folder / "case.toml", "schema = 1\n[study.s]\n[[study.s.stage]]\nname = \"i\"\ndo = \"import\"\npacking = "
+                                  "\"p.xyz\"\n" +
+                                      more
+        );
+        std::filesystem::remove_all(folder / "there");
+        const ProgramResult run = run_suffuse({"run", "case.toml", "-o", "there", "--no-cache"});
+        EXPECT_EQ(run.code, 0) << run.error;
+        return nlohmann::json::parse(read_all(folder / "there/studies/s/i/stage.json"));
+    };
+    const auto settled = nlohmann::json::parse(read_all(folder / "here/studies/replay/settled/stage.json"));
+    const auto plain = import_with(""), handed = import_with("contacts = \"c.csv\"\n");
+    expect_in("carries no contact memory", plain.at("warnings").dump());
+    EXPECT_EQ(handed.at("warnings").dump().find("contact memory"), std::string::npos);
+    EXPECT_GT(handed.at("imported_contacts"), 500);
+    const double unbalanced = settled.at("unbalanced_force");
+    EXPECT_LT(handed.at("unbalanced_force"), 10 * unbalanced); // the last step moved the grains after its forces
+    EXPECT_GT(plain.at("unbalanced_force"), 1000 * unbalanced);
+    write_to(folder / "c.csv", "first,second\n");
+    const ProgramResult refused = run_suffuse({"check", "case.toml"});
+    EXPECT_EQ(refused.code, 3);
+    expect_in("c.csv:1: found \"first,second\", expected the header", refused.error);
+}
+
 TEST_F(Cli, APackingInMillimetersIsWarnedOfAndReadWithItsUnit) {
     write_to(folder / "mm.csv", "x,y,z,r\n1,1,1,0.4\n3,1,1,0.6\n1,3,1,0.6\n");
     const ProgramResult passed = run_suffuse({"import", "mm.csv", "--cell", "4,4,4", "--json"});

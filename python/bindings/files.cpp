@@ -1,6 +1,8 @@
 // Packings from and for other programs.
 
+#include "suffuse/dem/given_contacts.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/io/contact_table.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
 
@@ -27,7 +29,8 @@ io::Box box_of(const py::object& value) {
 
 py::tuple read_packing(
     const std::filesystem::path& path, const py::object& cell, const grains::Material& material, const py::object& unit,
-    double max_overlap, const py::object& radius, const py::object& velocity_gradient, const py::object& box
+    double max_overlap, const py::object& radius, const py::object& velocity_gradient, const py::object& box,
+    const std::optional<std::filesystem::path>& contacts
 ) {
     io::PackingRequest request{.file = path, .density = material.density, .max_overlap = max_overlap};
     request.unit = unit_of(unit, dimension::length, "unit");
@@ -40,6 +43,9 @@ py::tuple read_packing(
     }
     if (!box.is_none()) {
         request.box = box_of(box);
+        if (contacts) {
+            throw CaseError("box and contacts: contacts belong to all grains of the file; leave one of them out");
+        }
     }
     io::TakenPacking taken;
     {
@@ -54,6 +60,16 @@ py::tuple read_packing(
     world.cell.velocity_gradient = taken.velocity_gradient;
     world.grains = std::move(taken.grains);
     world.material = material;
+    if (contacts) {
+        const Computing computing;
+        const dem::TakenContacts found = dem::add_given_contacts(world, io::read_contacts(*contacts, world.grains));
+        if (found.unknown + found.apart > 0) {
+            taken.warnings.push_back(fmt::format(
+                "{} knows {} of {} contacts; {} of its pairs do not touch here", contacts->string(), found.remembered,
+                found.remembered + found.unknown, found.apart
+            ));
+        }
+    }
     return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), taken.warnings);
 }
 
@@ -80,7 +96,18 @@ void bind_files(py::module_& m) {
     );
     m.def(
         "read_packing", &read_packing, py::arg("path"), py::arg("cell"), py::arg("material"), py::arg("unit"),
-        py::arg("max_overlap"), py::arg("radius"), py::arg("velocity_gradient"), py::arg("box")
+        py::arg("max_overlap"), py::arg("radius"), py::arg("velocity_gradient"), py::arg("box"), py::arg("contacts")
+    );
+    m.def(
+        "write_contacts",
+        [](const std::filesystem::path& path, const WorldHandle& w) {
+            const Reading reading(w);
+            const Released released;
+            dem::World world = SeenWorld(reading.world());
+            dem::sort_by_id(world);
+            io::export_contacts(path, world);
+        },
+        py::arg("path"), py::arg("world")
     );
     m.def(
         "largest_overlap",

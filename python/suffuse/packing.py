@@ -7,7 +7,8 @@ from suffuse.spelling import spelled
 
 
 @spelled
-def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None, box=None):
+def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, radius=None, velocity_gradient=None, box=None,
+                 contacts=None):
     """A World of the grains in a file, whichever of the formats it is: tables (CSV, Yade, PFC, EDEM, MFIX, ParaView),
     LAMMPS data and dump, XYZ, VTK, MercuryDPM, Kratos; plain or gzipped. docs/packings.md lists what is understood.
 
@@ -21,11 +22,12 @@ def read_packing(path, cell=None, material=None, unit="1 m", max_overlap=0.1, ra
         fits them best unless given, and none where no mean motion shows
     box: two corners of a box to cut out of a bed between walls, in the file's coordinates [m]: the grains with their centers in
         it, as a periodic cell. Of two that overlap across a face by more than max_overlap, the smaller one is left out.
+    contacts: file of shear forces and moments, written by write_packing or a LAMMPS dump (docs/packings.md)
     What the file says beyond that is warned of, and so are a cell narrower than ten of the largest grains, one that they
-    barely fill, and one taken in place of the file's own. An imported packing carries no contact memory: settle it first.
+    barely fill, and one taken in place of the file's own. Without `contacts` the contacts remember nothing: settle it first.
     """
     world, remarks = _core.read_packing(
-        path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient, box
+        path, cell, material or _core.Material(), unit, max_overlap, radius, velocity_gradient, box, contacts
     )
     for remark in remarks:
         warnings.warn(remark, stacklevel=3)  # beyond what looks at the spelling
@@ -43,7 +45,9 @@ def read(path, format=None, cell=None, material=None):
 
 
 @spelled
-def write_packing(path, world, format=None):
+def write_packing(path, world, format=None, contacts=None):
     """Writes the grains of a World for other programs: csv, yade, xyz, lammps, dump, vtp; by the file's ending unless
-    `format` is given."""
+    `format` is given. contacts: a CSV file for shear forces and moments, as read_packing takes it."""
     _core.write_packing(path, world, format or "")
+    if contacts is not None:
+        _core.write_contacts(contacts, world)

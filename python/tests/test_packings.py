@@ -23,6 +23,19 @@ def test_a_packing_goes_out_and_comes_back(settled, tmp_path, name):
         assert (back.grains.spin == settled.grains.spin).all()
 
 
+def test_contacts_go_out_and_come_back_next_to_a_packing(settled, tmp_path):
+    settled.sort("id")
+    suffuse.write_packing(tmp_path / "p.vtp", settled, contacts=tmp_path / "c.csv")
+    back = suffuse.read_packing(tmp_path / "p.vtp", contacts=tmp_path / "c.csv")
+    alone = suffuse.read_packing(tmp_path / "p.vtp")
+    assert len(back.contacts) == len(alone.contacts) > 500
+    assert numpy.abs(back.contacts.shear_force).max() > 0 and (alone.contacts.shear_force == 0).all()
+    forces = lambda contacts: {(i, j): tuple(force) for i, j, force in zip(contacts.i, contacts.j, contacts.shear_force)}
+    own, read = forces(settled.contacts), forces(back.contacts)
+    kept = own.keys() & read.keys()  # the last step moved a few apart
+    assert len(kept) > 0.99 * len(own) and all(read[pair] == pytest.approx(own[pair], abs=1e-9) for pair in kept)
+
+
 def test_an_imported_packing_knows_its_contacts_before_the_first_step(packing):
     stepped = packing.copy()
     stepped.step(1, time_step=1e-15)  # nothing moves

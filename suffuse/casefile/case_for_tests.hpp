@@ -24,6 +24,7 @@ struct DataFolder {
         std::ofstream(path + "/data/silt.csv") << "d [mm],passing [%]\n0.05,0\n0.06,100\n";
         std::ofstream(path + "/data/points.csv") << "x,y\n";
         std::ofstream(path + "/packing.csv") << "x,y,z,r\n0,0,0,1e-3\n";
+        std::ofstream(path + "/contacts.csv") << "first,second,shear_x,shear_y,shear_z,moment_x,moment_y,moment_z\n";
     }
 
     DataFolder(const DataFolder&) = delete;
@@ -304,6 +305,7 @@ soil = "whole"
 name = "start"
 do = "import"
 packing = "packing.csv"
+contacts = "contacts.csv"
 cell = [["1 mm", "0.1 mm", "0 mm"], ["0 mm", "1 mm", "0 mm"], ["0 mm", "0 mm", "1 mm"]]
 unit = "1 mm"
 max_overlap = "5 %"

@@ -16,6 +16,7 @@ Stage nameless(Stage stage) {
     stage.restore = false;
     if (auto* import = std::get_if<ImportSpec>(&stage.spec)) {
         import->path.clear();
+        import->contacts.clear();
     }
     return stage;
 }

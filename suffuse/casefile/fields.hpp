@@ -93,6 +93,7 @@ void fields(V& v, ReportSpec& s) {
 template <class V>
 void fields(V& v, ImportSpec& s) {
     packing_field(v, s);
+    contacts_field(v, s);
     cell_field(v, s.cell);
     v.field("unit", s.unit);
     v.field("radius", s.radius);

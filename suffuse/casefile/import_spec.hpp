@@ -1,5 +1,5 @@
 #pragma once
-// `do = "import"`: a packing brought from elsewhere. It carries no contact memory.
+// `do = "import"`: a packing brought from elsewhere.
 
 #include "suffuse/base/vec3.hpp"
 
@@ -10,6 +10,7 @@ namespace suffuse::casefile {
 
 struct ImportSpec {
     std::string path;                  ///< of the packing file, absolute
+    std::string contacts;              ///< file of what its contacts remember, absolute; empty: nothing
     Mat3 cell = {};                    ///< columns are the cell vectors [m]; zeros: the file's own
     double unit = 1;                   ///< what a length of 1 in the file stands for [m]
     std::optional<double> radius = {}; ///< of all grains, for a file that has none [m]

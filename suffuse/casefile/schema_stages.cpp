@@ -129,6 +129,12 @@ std::vector<Key> preparation_rows() {
                 "File of grains: CSV, a table of Yade, PFC, EDEM or MFIX, LAMMPS data or dump, XYZ, VTK, MercuryDPM, "
                 "Kratos; docs/packings.md lists what is understood."
             )),
+            text(
+                "stage.import", "contacts",
+                "File of what the contacts of the packing remember, shear forces and moments: our own table or a "
+                "LAMMPS "
+                "dump of `pair_style granular`; docs/packings.md has the commands. Without it they remember nothing."
+            ),
             other(
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
                 "The periodic cell; needed unless the file carries it, as LAMMPS, extended XYZ and our .vtp files do."

@@ -127,6 +127,22 @@ void packing_field(Writer& v, const ImportSpec& s) {
     v.field("packing", s.path);
 }
 
+void contacts_field(Reader& v, ImportSpec& s) {
+    const Node* node = v.take("contacts");
+    const auto path = node == nullptr ? std::nullopt : v.text("contacts", *node);
+    if (path) {
+        s.contacts = resolved_path(v.context().folder, *path);
+        check_file(v, node->place, s.contacts);
+    }
+}
+
+/// Only where there is one: imports without keep their cases.
+void contacts_field(Writer& v, const ImportSpec& s) {
+    if (!s.contacts.empty()) {
+        v.field("contacts", s.contacts);
+    }
+}
+
 void inertial_number_field(Reader& v, double& value) {
     const Node* node = v.take("inertial_number");
     if (node == nullptr) {

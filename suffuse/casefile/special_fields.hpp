@@ -18,6 +18,8 @@ void overlay_field(Writer& v, const std::map<std::string, std::string>& overlay)
 /// Path of the packing, taken from the case's folder, and where it was requested.
 void packing_field(Reader& v, ImportSpec& s);
 void packing_field(Writer& v, const ImportSpec& s);
+void contacts_field(Reader& v, ImportSpec& s);
+void contacts_field(Writer& v, const ImportSpec& s);
 
 /// Three lengths, or the matrix whose columns are the cell vectors.
 void cell_field(Reader& v, Mat3& h);

@@ -69,6 +69,7 @@ const std::vector<Fact> of_every_stage = {
 const std::vector<Fact> of_import = {
     {"imported", "", "true", ""},
     {"imported_overlap_ratio", "-", "largest overlap / smaller radius, of the file", ""},
+    {"imported_contacts", "-", "contacts whose shear forces and moments a file gave", ""},
 };
 
 const std::vector<Fact> of_pack = {

@@ -1,6 +1,7 @@
 #include "suffuse/record/read_import.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/io/contact_table.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/record/mark_fines.hpp"
 
@@ -28,7 +29,12 @@ read_import(const casefile::ImportSpec& spec, const casefile::Variant& variant, 
         );
     }
     mark_fines(variant, spec.path, taken.grains);
-    return {std::move(taken.grains), *taken.h, taken.velocity_gradient, taken.overlap, std::move(taken.warnings)};
+    ImportedSample sample{std::move(taken.grains),   *taken.h, taken.velocity_gradient, taken.overlap,
+                          std::move(taken.warnings), {}};
+    if (!spec.contacts.empty()) {
+        sample.contacts = io::read_contacts(spec.contacts, sample.grains);
+    }
+    return sample;
 }
 
 CheckedImports check_imports(const casefile::Case& what) {

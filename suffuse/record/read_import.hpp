@@ -2,6 +2,7 @@
 // A packing brought from elsewhere, as a stage takes it: read, checked, and with what is to be said of it.
 
 #include "suffuse/casefile/case.hpp"
+#include "suffuse/dem/given_contacts.hpp"
 #include "suffuse/grains/grains.hpp"
 
 #include <cstdint>
@@ -11,11 +12,12 @@
 namespace suffuse::record {
 
 struct ImportedSample {
-    grains::Grains grains;             ///< those that the soil has as fine are marked
-    Mat3 h{};                          ///< columns are the cell vectors [m]
-    Mat3 velocity_gradient{};          ///< of the cell, which the velocities contain [1/s]
-    double overlap = 0;                ///< largest, over the smaller radius [-]
-    std::vector<std::string> warnings; ///< each with its place
+    grains::Grains grains;                   ///< those that the soil has as fine are marked
+    Mat3 h{};                                ///< columns are the cell vectors [m]
+    Mat3 velocity_gradient{};                ///< of the cell, which the velocities contain [1/s]
+    double overlap = 0;                      ///< largest, over the smaller radius [-]
+    std::vector<std::string> warnings;       ///< each with its place
+    std::vector<dem::GivenContact> contacts; ///< what its contacts remember, where the case names a file of it
 };
 
 /// @param where the stage, for messages

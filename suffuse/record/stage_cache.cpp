@@ -147,6 +147,7 @@ std::string StageCache::key_of(
     text += start_state.empty() ? "# makes its own sample\n" : "# starts from the state " + start_state + "\n";
     if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
         text += "# packing " + hash_of_file(import->path) + "\n";
+        text += import->contacts.empty() ? "" : "# contacts " + hash_of_file(import->contacts) + "\n";
     }
     text += leaves_tables(what, variant, stage) ? "# leaves tables\n" : "";
     text += has_fractions(variant) ? "# tells of fines\n" : "";

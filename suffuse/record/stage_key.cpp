@@ -34,6 +34,9 @@ std::string key_of_stage(
     std::string text = "start " + start_state + "\n";
     if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
         text += "packing " + std::filesystem::path(import->path).filename().string() + "\n";
+        text += import->contacts.empty()
+                    ? ""
+                    : "contacts " + std::filesystem::path(import->contacts).filename().string() + "\n";
     }
     return form() + ":" + checksum_of_text(text + casefile::dependencies_of(what, variant, stage));
 }

@@ -1,7 +1,9 @@
 // The verbs that bring a sample into being: import, pack, compact.
 
+#include "suffuse/base/amounts.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/first_contacts.hpp"
+#include "suffuse/dem/given_contacts.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/extraction.hpp"
@@ -218,6 +220,19 @@ void pack_layers(StageWork& work, const packing::PackSpec& spec) {
     take_cloud(work, packing::make_stack(drawn, spec, density, work.variant.seed, pulse));
 }
 
+/// Contacts of the geometry, with the memory that a file has of them.
+void add_contacts(StageWork& work, const std::string& file, const std::vector<dem::GivenContact>& given) {
+    const dem::TakenContacts taken = dem::add_given_contacts(work.world, given);
+    work.numbers["imported_contacts"] = taken.remembered;
+    if (taken.unknown + taken.apart > 0) {
+        work.warnings.push_back(fmt::format(
+            "{}: {} knows {} of the {} contacts; {} do not touch here. Those without memory have no shear force",
+            work.place(), file, taken.remembered, taken.remembered + taken.unknown,
+            plural(static_cast<std::int64_t>(taken.apart), "other pair")
+        ));
+    }
+}
+
 } // namespace
 
 void do_import(StageWork& work, const casefile::ImportSpec& spec) {
@@ -226,13 +241,17 @@ void do_import(StageWork& work, const casefile::ImportSpec& spec) {
     work.world.cell.velocity_gradient = sample.velocity_gradient;
     work.world.grains = std::move(sample.grains);
     work.world.reference_h = work.world.cell.h;
-    dem::add_first_contacts(work.world);
     work.numbers["imported"] = true;
     work.numbers["imported_overlap_ratio"] = sample.overlap;
     work.warnings = std::move(sample.warnings);
+    if (!spec.contacts.empty()) {
+        add_contacts(work, spec.contacts, sample.contacts);
+        return;
+    }
+    dem::add_first_contacts(work.world);
     work.warnings.push_back(fmt::format(
-        "{}: an imported packing carries no contact memory: its contacts are those of the geometry, with normal forces "
-        "and without shear forces and moments; settle it where that matters",
+        "{}: this packing carries no contact memory: its contacts are those of the geometry, with normal forces "
+        "and without shear forces and moments; settle it where that matters, or name their file in `contacts`",
         work.place()
     ));
 }

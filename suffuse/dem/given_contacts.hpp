@@ -1,0 +1,28 @@
+#pragma once
+// What the contacts of a packing from another program remember: shear forces and moments, which geometry does not tell.
+
+#include "suffuse/dem/world.hpp"
+
+#include <cstdint>
+#include <span>
+
+namespace suffuse::dem {
+
+struct GivenContact {
+    std::uint32_t first = 0, second = 0; ///< rows of the grain table
+    Vec3 shear_force;                    ///< on the first grain [N]
+    Vec3 moment;                         ///< bending and twisting, on the first grain [N m]
+};
+
+struct TakenContacts {
+    std::size_t remembered = 0; ///< contacts of the world that were given
+    std::size_t unknown = 0;    ///< contacts of the world that were not: they remember nothing
+    std::size_t apart = 0;      ///< pairs given that do not touch
+};
+
+/// Gives a world that awaits its first step its contacts, as `add_first_contacts` does, with the memory of those that
+/// are given. Of a shear force the part along the normal is left out, and twisting where the material has none of it.
+/// @throws CaseError where a pair is given twice, or touches twice across the faces of its cell
+TakenContacts add_given_contacts(World& world, std::span<const GivenContact> given);
+
+} // namespace suffuse::dem
