@@ -62,6 +62,30 @@ protected:
         EXPECT_EQ(listed[0].at("verdict"), answer.at("verdict"));
         EXPECT_EQ(listed[0].at("samples").at("total"), answer.at("samples").size());
     }
+
+    /// Of the calibration in "whole": whole at first, and each change of it is found.
+    void expect_verified() {
+        const ProgramResult verified = run_suffuse({"verify", "whole", "--json"});
+        EXPECT_EQ(verified.code, 0) << verified.out << verified.error;
+        EXPECT_GT(verified.json().at("states"), 12) << "of its samples";
+        const std::string state = "round-1/studies/t-0002";
+        for (const std::string& damaged : {std::string("posterior.csv"), state}) {
+            std::filesystem::path file = folder / "whole" / damaged;
+            for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "whole" / state)) {
+                file = damaged == state && entry.path().filename() == "stage.json" ? entry.path() : file;
+            }
+            const std::string before = test::read_all(file);
+            test::write_to(file, before + " ");
+            const ProgramResult changed = run_suffuse({"verify", "whole"});
+            EXPECT_EQ(changed.code, 5) << damaged << changed.error;
+            EXPECT_NE(changed.out.find("  " + damaged), std::string::npos) << changed.out;
+            if (damaged == "posterior.csv") {
+                EXPECT_NE(run_suffuse({"report", "whole"}).code, 0) << "no report of what was changed";
+            }
+            test::write_to(file, before);
+        }
+        EXPECT_EQ(run_suffuse({"verify", "whole"}).code, 0);
+    }
 };
 
 TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
@@ -76,11 +100,15 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
         EXPECT_LE(parameter.at("high"), parameter.at("range").at(1)) << key;
     }
     expect_report(answer);
+    expect_verified();
     const ProgramResult none =
         run_suffuse({"calibrate", "case.toml", "-o", "part", "--no-cache", "--time-limit", "1ms"});
     EXPECT_EQ(none.code, 75) << none.error;
     EXPECT_NE(none.error.find("suffuse resume part continues"), std::string::npos) << none.error;
     EXPECT_FALSE(std::filesystem::exists(folder / "part/calibration.json"));
+    const ProgramResult unsigned_yet = run_suffuse({"verify", "part"});
+    EXPECT_NE(unsigned_yet.code, 0);
+    EXPECT_NE(unsigned_yet.error.find("suffuse resume part"), std::string::npos) << unsigned_yet.error;
     const std::string live = test::read_all(folder / "part/report.html");
     EXPECT_NE(live.find("It was stopped early."), std::string::npos);
     EXPECT_NE(live.find("suffuse resume part"), std::string::npos);

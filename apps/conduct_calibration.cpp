@@ -13,6 +13,7 @@
 #include "suffuse/job/calibration_report.hpp"
 #include "suffuse/job/calibration_words.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/job/verify_calibration.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -204,6 +205,7 @@ int conduct_calibration(const CalibrationJob& calibration, const Console& consol
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
     job::keep_calibration_case(calibration.case_file, calibration.folder);
     const Stopwatch watch;
+    io::remove_file(calibration.folder / record::checksums_file); // true no more
     job::CalibrationOptions options{calibration.folder, {}};
     options.run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };
     options.on_round = [&](const job::CalibrationResult& so_far) { write_answer(calibration, what, so_far); };
@@ -211,6 +213,9 @@ int conduct_calibration(const CalibrationJob& calibration, const Console& consol
     record::keep_provenance(calibration.folder, job::first_round(what), calibration.command, watch.seconds());
     if (!result.parameters.empty()) {
         write_answer(calibration, what, result);
+        if (result.is_complete) {
+            job::write_calibration_sums(calibration.folder);
+        }
         console.document(json_text(job::calibration_json(what, result)));
     }
     return print_answer(calibration, result, console);

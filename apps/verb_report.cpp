@@ -1,10 +1,13 @@
 // report: the report of a run once more, without computing.
 
+#include "suffuse/job/calibration_files.hpp"
 #include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/calibration_report.hpp"
 #include "suffuse/job/print_report.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/job/verify_calibration.hpp"
+#include "suffuse/record/checksums.hpp"
 #include "suffuse/record/finished_stages.hpp"
 #include "suffuse/record/folder.hpp"
 
@@ -48,7 +51,14 @@ void print_pdf(const fs::path& report, nlohmann::json& document, const Console& 
 
 int report_calibration(const ReportVerb& verb, const Console& console) {
     const job::FolderLock lock(verb.run, console.warner());
-    const fs::path report = job::write_calibration_report(verb.run, page_folder());
+    const fs::path folder = verb.run;
+    for (const char* read : {job::calibration_file, job::posterior_file}) {
+        record::require_same_result(folder, read);
+    }
+    const fs::path report = job::write_calibration_report(folder, page_folder());
+    if (fs::exists(folder / record::checksums_file)) {
+        job::write_calibration_sums(folder);
+    }
     console.result("written: " + report.string());
     nlohmann::json document = {{"report", report.string()}};
     if (verb.prints) {

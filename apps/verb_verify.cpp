@@ -2,6 +2,8 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/job/calibration_folder.hpp"
+#include "suffuse/job/verify_calibration.hpp"
 #include "suffuse/record/checksums.hpp"
 
 #include <fmt/format.h>
@@ -50,7 +52,8 @@ std::string unverified(std::size_t without, int stages) {
 
 int VerifyVerb::act(const CommandLine&, const Console& console) const {
     look_at_run(run, io::Purpose::Read, console);
-    const record::Verification found = record::verify_run(run);
+    const record::Verification found =
+        job::is_calibration(run) ? job::verify_calibration(run) : record::verify_run(run);
     for (const record::Damage& damage : found.damages) {
         console.result(fmt::format("  {} {}", damage.file, damage.what));
     }

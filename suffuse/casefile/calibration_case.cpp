@@ -39,6 +39,17 @@ void set_usual(Node& root) {
     set("output", "snapshots", make_node("none"));
 }
 
+/// hertz-mindlin asks for both, though those of the samples are sought.
+void set_sought(Node& root, const std::vector<CalibrateUnknown>& unknowns) {
+    for (const std::string key : {"modulus", "poisson"}) {
+        const auto unknown = std::ranges::find(unknowns, "contact." + key, &CalibrateUnknown::key);
+        Node::Entry* contact = root.find("contact");
+        if (unknown != unknowns.end() && contact != nullptr && contact->value.find(key) == nullptr) {
+            contact->value.set(key, make_node(unknown->low));
+        }
+    }
+}
+
 /// Finds what is wrong with the rest of the case, with the samples at both ends of all ranges. @return warnings;
 /// @throws CaseProblems
 std::vector<Diagnostic> check_rest(const CalibrationCase& what) {
@@ -147,6 +158,7 @@ CalibrationCase load_calibration(const std::string& path, const LoadOptions& opt
         });
         what.base = std::move(*root);
         set_usual(what.base);
+        set_sought(what.base, what.spec.unknowns);
     }
     if (problems.has_errors()) {
         throw CaseProblems(problems.sorted());

@@ -113,6 +113,14 @@ TEST(CalibrationCase, MakesSamplesThatAreStudies) {
     EXPECT_EQ(verb_of(other.stages.at(2).spec), "oedometer");
 }
 
+TEST(CalibrationCase, NeedsNoModulusOfHertzMindlinWhereThatIsSought) {
+    std::string text = changed_calibration("modulus = \"300 MPa\"", "law = \"hertz-mindlin\"\npoisson = 0.2");
+    text.replace(text.find("\"50 MPa\", \"2 GPa\""), 17, "\"5 GPa\", \"20 GPa\"");
+    const CalibrationCase what = calibration_in(text);
+    const Case samples = case_of_samples(what, {{0, 1, {0.5, 1, 0.5, 0.5}}});
+    EXPECT_NEAR(samples.studies[0].variants.at(0).material.modulus, 20e9, 1e4) << "of the sample";
+}
+
 TEST(CalibrationCase, KeepsTheVoidRatioOfTheModelWhereItIsFixed) {
     std::string text = changed_calibration("samples = 20", "samples = 20\nfix_void_ratio = true");
     text.replace(text.find(", void_ratio = [0.6, 0.7]"), 25, "");

@@ -166,6 +166,9 @@ bool run_without_report(const casefile::Case& what, const run::RunOptions& optio
     overview.log({{"event", "run begins"}, {"command", options.command}});
     const bool has_ended = run::run_samples(what, options, overview);
     record::keep_provenance(options.folder, what, options.command, overview.run_seconds());
+    if (has_ended) {
+        record::write_run_sums(options.folder, {}, record::read_run_sums(options.folder));
+    }
     report_end("run ends", has_ended ? record::Outcome::Done : record::Outcome::Stopped, overview);
     return has_ended;
 }

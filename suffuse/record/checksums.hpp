@@ -37,6 +37,7 @@ void require_same_figures(
 /// Whether every file but the stages' is as it was when the run ended.
 bool has_same_results(const std::filesystem::path& run);
 
+/// What was found in a run, or in a calibration.
 struct Verification {
     int files = 0;                              ///< checked
     int states = 0;                             ///< read, and hashed anew
