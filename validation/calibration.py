@@ -156,6 +156,25 @@ def judge(rows):
     return passed["coverage"]
 
 
+def compare_sizes(truth, program, top, given, targets):
+    """The same truth from samples of several sizes. @return whether each mean lies in all of the intervals"""
+    found = []
+    for particles in given.sizes:
+        print(f"samples of {particles} grains:")
+        own = argparse.Namespace(**(vars(given) | {"particles": particles}))
+        found.append(calibrate(program, top / "truth-1", f"both-{particles}", own, targets))
+        compare(truth, found[-1])
+    is_same = True
+    for key in truth:
+        parameters = [one["parameters"][key] for one in found]
+        apart = max(p["mean"] for p in parameters) - min(p["mean"] for p in parameters)
+        width = min(p["high"] - p["low"] for p in parameters)
+        is_in = all(p["low"] <= other["mean"] <= p["high"] for p in parameters for other in parameters)
+        print(f"{key:26s} means differ by {apart / width:.2f} of the narrower interval: {'within' if is_in else 'BEYOND'}")
+        is_same &= is_in
+    return is_same
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--program", default="suffuse")
@@ -166,6 +185,8 @@ def main():
     parser.add_argument("--particles", type=int, default=1000, help="of a sample")
     parser.add_argument("--samples", type=int, default=64, help="of each target")
     parser.add_argument("--stress-alone", type=int, default=4, help="truths that are also fitted by stresses at 100 kPa")
+    parser.add_argument("--sizes", type=int, nargs="+", metavar="GRAINS",
+                        help="of samples: the first truth alone, calibrated with each of them")
     parser.add_argument("--folder", help="keeps all runs; truths that are there are not computed again")
     given = parser.parse_args()
     program = str(pathlib.Path(given.program).resolve()) if "/" in given.program else given.program
@@ -173,13 +194,15 @@ def main():
     truths = [draw_truth(stream) for _ in range(given.truths)]
     with tempfile.TemporaryDirectory() as name:
         top = pathlib.Path(given.folder or name)
-        for k, truth in enumerate(truths):
+        for k, truth in enumerate(truths[:1] if given.sizes else truths):
             folder = top / f"truth-{k + 1}"
             folder.mkdir(parents=True, exist_ok=True)
             if not (folder / "tests.csv").exists():
                 make_tests(program, folder, truth, given.grains, given.draw * 100 + 2 * k)
         print(f"{'parameter':26s} {'truth':>10s} {'mean':>10s}  {'5 %':>10s} {'95 %':>10s}", flush=True)
         both = target("low", "tests.csv") + ", " + target("high", "tests.csv", ', void_ratio_of = "low"')
+        if given.sizes:
+            sys.exit(not compare_sizes(truths[0], program, top, given, both))
         rows = [compare(truth, calibrate(program, top / f"truth-{k + 1}", "both", given, both))
                 for k, truth in enumerate(truths)]
         is_good = judge(rows)

@@ -48,6 +48,20 @@ class Calibration(dict):
         rows._known_units = {key: found["si_unit"] for key, found in self.parameters.items()}
         return rows
 
+    def samples(self, count=20):
+        """Sets of parameters evenly out of the posterior, a dictionary each, with values as a case has them: "31.2 deg".
+        Rows of a study (key `rows`) carry what the calibration leaves open to the study's results."""
+        rows = list(self.posterior)
+        if not 1 <= count <= len(rows):
+            raise ValueError(f"count is 1 to {len(rows)}, the number of sets that there are")
+
+        def written(key, value):
+            unit, size = self.parameters[key]["unit"], self.parameters[key]["unit_size"]
+            number = float(f"{float(value) / size:.6g}")
+            return f"{number!r} {unit}" if unit else number
+
+        return [{key: written(key, rows[k * len(rows) // count][key]) for key in self.parameters} for k in range(count)]
+
     def __str__(self):
         lines = [f"{'parameter':28s} {'mean':>10s}   90 % interval"]
         for key, found in self.parameters.items():

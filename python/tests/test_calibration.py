@@ -58,6 +58,13 @@ def test_undrained_and_oedometer_tests_give_parameters_and_a_stopped_one_goes_on
     assert set(found.not_identified) == {key for key, one in found.parameters.items() if one["information"] < 1}
     assert "[contact]" in found.contact and "contact.modulus" in str(found)
     assert suffuse.Calibration(tmp_path / "part") == found
+    twenty = found.samples()
+    assert len(twenty) == 20 and set(twenty[0]) == set(found.parameters)
+    number, unit = twenty[1]["contact.friction"].split()
+    assert unit == "deg" and math.radians(float(number)) == pytest.approx(posterior["contact.friction"][100], rel=1e-5)
+    assert twenty[1]["void_ratio"] == pytest.approx(posterior["void_ratio"][100], rel=1e-5)
+    with pytest.raises(ValueError, match="1 to 2000"):
+        found.samples(0)
     assert [curve["quantity"] for fit in found["fit"] for curve in fit["curves"]] == [
         "stress_ratio", "mean_stress_ratio", "axial_strain"]
 

@@ -1,10 +1,13 @@
 #include "suffuse/calibration/next_designs.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace suffuse::calibration {
 namespace {
+
+constexpr double least_change = 0.05; // of the mean interval: a round that gives less is the last
 
 double square_distance(const Point& a, const Point& b) {
     double sum = 0;
@@ -43,6 +46,10 @@ std::vector<Point> next_designs(
         approach(picked.back());
     }
     return picked;
+}
+
+bool has_settled(double before, double after) {
+    return std::abs(after - before) < least_change * before;
 }
 
 } // namespace suffuse::calibration

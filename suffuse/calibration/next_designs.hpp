@@ -16,4 +16,8 @@ std::vector<Point> next_designs(
     const std::function<double(const Point&)>& uncertainty
 );
 
+/// Whether another round would change little: intervals whose mean width was `before` and is `after` a round differ by
+/// less than 5 %. A round that widens them has shown that those before it knew too little, and is not the last.
+bool has_settled(double before, double after);
+
 } // namespace suffuse::calibration

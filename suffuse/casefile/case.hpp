@@ -78,6 +78,7 @@ struct Study {
     std::int64_t particles = 0; ///< 0 where the grains are imported, or `sample_size` decides for each variant
     std::optional<grains::SampleSizeSpec> sample_size;
     std::vector<Sweep> sweep;
+    std::vector<Sweep> rows; ///< values of several keys that belong together; a sweep over "row" says which of them
     int replicates = 1;
     std::optional<Refine> refine;
     std::vector<Stage> stages;     ///< as written, sweeps not applied

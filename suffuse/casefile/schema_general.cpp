@@ -271,6 +271,13 @@ std::vector<Key> soil_and_study_rows() {
             "One copy of the study per value; lists multiply. KEY is `particles`, `soil`, `seed`, a key of the soil, "
             "\"stage.NAME.KEY\", or \"contact.KEY\", which then applies to all stages of the copy."
         ),
+        other(
+            "study.*", "rows", "a CSV file, or { KEY = [values] }",
+            "Values of several keys that belong together, as parameters of one sample of a posterior: one copy of the "
+            "study per row. Keys as in `sweep`; in a file they are the headings. `sweep` may choose among them: { row "
+            "= "
+            "[1, 5] }."
+        ),
         table(
             "study.*", "refine",
             "Adds values to a sweep when its own have been run, on both sides of the extreme of a measured curve."

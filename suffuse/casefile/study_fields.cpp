@@ -5,6 +5,7 @@
 #include "suffuse/casefile/overrides.hpp"
 #include "suffuse/casefile/physics_checks.hpp"
 #include "suffuse/casefile/prepared_as.hpp"
+#include "suffuse/casefile/row_fields.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/soil_fields.hpp"
 #include "suffuse/casefile/stage_list.hpp"
@@ -121,6 +122,7 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
     v.field("particles", study.particles);
     v.table("sample_size", study.sample_size, [](Reader& inner, grains::SampleSizeSpec& s) { fields(inner, s); });
     sweep_field(v, "sweep", study.sweep);
+    rows_field(v, study);
     v.table("refine", study.refine, [](Reader& inner, Refine& refine) { fields(inner, refine); });
     v.field("replicates", study.replicates);
     study.stages = read_stages(context, v);
@@ -185,7 +187,11 @@ void read_variant(
     Node contact_node = around.contact != nullptr ? *around.contact : Node{};
     const Node& sweeps = study_node.find("sweep") != nullptr ? entry.value.find("sweep")->value : entry.value;
     for (const auto& [key, value] : variant.values) {
+        if (key == row_key && !study.rows.empty()) {
+            continue; // its values are here
+        }
         const Node::Entry* list = sweeps.find(key);
+        list = list == nullptr ? entry.value.find("rows") : list;
         Node node = make_node(value);
         node.place = place_in_sweep(list->value, value);
         if (!apply_sweep_value({study_node, soil_node ? &*soil_node : nullptr, contact_node}, key, node)) {
@@ -268,6 +274,7 @@ Node write_study(const Study& study) {
     std::optional<grains::SampleSizeSpec> size = study.sample_size;
     v.table("sample_size", size, [](Writer& inner, grains::SampleSizeSpec& value) { fields(inner, value); });
     sweep_field(v, "sweep", study.sweep);
+    rows_field(v, study);
     std::optional<Refine> refine = study.refine;
     v.table("refine", refine, [](Writer& inner, Refine& value) { fields(inner, value); });
     v.field("replicates", study.replicates);

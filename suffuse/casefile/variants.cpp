@@ -1,6 +1,7 @@
 #include "suffuse/casefile/variants.hpp"
 
 #include "suffuse/base/state_hash.hpp"
+#include "suffuse/casefile/row_fields.hpp"
 #include "suffuse/casefile/sweep_value.hpp"
 
 #include <fmt/format.h>
@@ -78,7 +79,8 @@ std::vector<Variant> list_variants(const Study& study, std::uint64_t seed) {
         list = std::move(longer);
     }
     std::vector<Variant> all;
-    for (const Variant& variant : list) {
+    for (Variant& variant : list) {
+        variant.values.merge(values_of_row(study, variant.values));
         const auto swept = variant.values.find("seed");
         const auto* own = swept == variant.values.end() ? nullptr : std::get_if<std::int64_t>(&swept->second);
         const std::uint64_t base = own == nullptr ? seed : static_cast<std::uint64_t>(*own);

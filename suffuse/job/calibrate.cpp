@@ -20,7 +20,6 @@ using calibration::Point;
 using casefile::CalibrationSample;
 
 constexpr int rounds_after_first = 2;
-constexpr double least_shrinkage = 0.05;  // of the mean interval: a round that gives less is the last
 constexpr double spread_of_designs = 0.5; // share of the log likelihood that counts where the next samples are sought
 constexpr int held_out_samples = 8;
 constexpr int designs_for_repeated = 8; // of so many of the first round one is simulated again, with other grains
@@ -138,10 +137,10 @@ public:
             if (options_.on_round) {
                 options_.on_round(result_);
             }
-            const bool has_settled = result_.rounds.size() > 1 &&
-                                     width > (1 - least_shrinkage) * result_.rounds[result_.rounds.size() - 2].width;
+            const bool is_last = result_.rounds.size() > 1 &&
+                                 calibration::has_settled(result_.rounds[result_.rounds.size() - 2].width, width);
             const int rounds_left = 1 + rounds_after_first - round;
-            const int count = has_settled || rounds_left == 0 ? 0 : left / rounds_left;
+            const int count = is_last || rounds_left == 0 ? 0 : left / rounds_left;
             designs = more_designs(count);
             left -= count;
         }

@@ -84,7 +84,7 @@ struct CalibrationResult {
     std::vector<SampleFit> samples; ///< in the order in which they were run
 };
 
-/// Runs round after round until the intervals stop shrinking or the samples of the case are spent. The same case gives
+/// Runs round after round until the intervals stop changing or the samples of the case are spent. The same case gives
 /// the same bits; a round that the folder holds is taken as it is.
 /// @throws StateError where too few samples of a target succeed
 CalibrationResult calibrate(const casefile::CalibrationCase& what, const CalibrationOptions& options);
