@@ -167,19 +167,29 @@ CalibrateUnknown usual_void_ratio(const Place& place) {
 
 /// Each fitted target that shares no other's has a void ratio of its own, with the range of its name, or of
 /// `void_ratio`.
-void add_void_ratios(CalibrateSpec& spec, CalibrateUnknown usual) {
+void add_void_ratios(ReadContext& context, CalibrateSpec& spec, CalibrateUnknown usual) {
     const auto has_own = [](const CalibrateTarget& target) {
         return target.void_ratio_of.empty() && !target.is_held_out;
     };
-    const bool is_one = std::ranges::count_if(spec.targets, has_own) == 1;
+    std::vector<std::string> own; // keys
     for (const CalibrateTarget& target : spec.targets) {
-        const std::string key =
-            is_one ? std::string(void_ratio_key) : fmt::format("{}.{}", void_ratio_key, target.name);
-        const bool is_given = std::ranges::any_of(spec.unknowns, [&](const auto& u) { return u.key == key; });
-        if (!is_given && has_own(target)) {
-            usual.key = key;
-            spec.unknowns.push_back(usual);
+        if (has_own(target)) {
+            own.push_back(fmt::format("{}.{}", void_ratio_key, target.name));
         }
+    }
+    const bool is_one = own.size() == 1;
+    for (const CalibrateUnknown& unknown : spec.unknowns) {
+        if (is_void_ratio(unknown.key) && std::erase(own, unknown.key) == 0) {
+            context.problems.error(
+                "E401", unknown.place,
+                fmt::format("`{}`: no target of this name has a void ratio of its own", unknown.key),
+                "name a target that is fitted, without void_ratio_of"
+            );
+        }
+    }
+    for (const std::string& key : own) {
+        usual.key = is_one ? std::string(void_ratio_key) : key;
+        spec.unknowns.push_back(usual);
     }
 }
 
@@ -231,7 +241,7 @@ void read_unknowns(Reader& v, CalibrateSpec& spec) {
         }
     }
     if (!spec.fix_void_ratio) {
-        add_void_ratios(spec, std::move(void_ratio));
+        add_void_ratios(v.context(), spec, std::move(void_ratio));
         check_void_ratios(v.context(), spec);
     }
     if (spec.unknowns.empty() || spec.unknowns.size() > most_unknowns) {

@@ -83,6 +83,14 @@ TEST(CalibrationCase, SaysWhatIsSoughtAndFromWhichTests) {
     EXPECT_NEAR(value_at(spec.unknowns[1], 0.5), std::sqrt(50e6 * 2e9), 1) << "the middle of the decades";
 }
 
+TEST(CalibrationCase, TakesTheVoidRatioOfItsOnlyDensityByTheNameOfTheTargetToo) {
+    std::string text = changed_calibration("name = \"oedo\",", "name = \"oedo\", void_ratio_of = \"TMD2\",");
+    text.replace(text.find(", void_ratio = ["), 14, ", \"void_ratio.TMD2\" =");
+    const CalibrateSpec spec = calibration_in(text).spec;
+    ASSERT_EQ(spec.unknowns.size(), 3U) << "no second one that no sample has";
+    EXPECT_EQ(void_ratio_of(spec, spec.targets[1]), 2);
+}
+
 TEST(CalibrationCase, ComparesUnknownsInItsConstraints) {
     const CalibrateSpec spec = calibration_in(good_calibration).spec;
     ASSERT_EQ(spec.constraints.size(), 2U);
@@ -148,6 +156,9 @@ TEST(CalibrationCase, ReportsWhatIsWrong) {
     expect("contact.friction >=", "contact.cohesion >=", "is no constraint of these unknowns");
     expect("name = \"oedo\"", "name = \"TMD2\"", "two targets are called \"TMD2\"");
     expect("void_ratio_of = \"TMD2\"", "void_ratio_of = \"TMD3\"", "which has no void ratio of its own");
+    expect(
+        "void_ratio = [0.6, 0.7] }", "\"void_ratio.later\" = [0.6, 0.7] }", "`void_ratio.later`: no target of this name"
+    );
     expect(", void_ratio_of = \"TMD2\"", "", "nothing gives the void ratio of \"later\"");
     expect("\"contact.modulus\" = [", "\"contact.modulos\" = [", "unknown key `modulos`");
     expect("soil = \"sand\"", "soil = \"clay\"", "there is no soil \"clay\"");
