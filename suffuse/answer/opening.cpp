@@ -1,6 +1,7 @@
 #include "suffuse/answer/opening.hpp"
 
 #include "suffuse/answer/basis.hpp"
+#include "suffuse/answer/filter_words.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/answer/strength_words.hpp"
@@ -35,7 +36,9 @@ std::vector<Headline> cards_of(const RunResults& results, const std::vector<stud
     if (question == Question::Fines) {
         add(fines_headlines(results.fines->thresholds), cards);
     }
-    if (question == Question::Fines || question == Question::Sweep) {
+    if (question == Question::Filter) {
+        add(filter_headlines(filter_stages(results.stages)), cards);
+    } else if (question == Question::Fines || question == Question::Sweep) {
         add(sweep_headlines(*outcome, fluid), cards);
     } else {
         if (const study::MobilityStory* const main = study::main_mobility(results.mobility)) {
@@ -126,6 +129,8 @@ std::vector<std::string> pictures_for(Question question) {
     switch (question) {
     case Question::Fines:
         return {"fig03", "fig04", "own-sweep"};
+    case Question::Filter:
+        return {"own-filter-cut", "own-filter-profile"};
     case Question::Sweep:
         return {"own-sweep"};
     case Question::Weight:
@@ -158,6 +163,9 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
         if (auto text = disagreement(*story)) {
             opening.disagreement.push_back(std::move(*text));
         }
+    }
+    if (question == Question::Filter) {
+        opening.doubts = filter_doubts(filter_stages(results.stages));
     }
     opening.pictures = pictures_for(question);
     opening.shows_grains =

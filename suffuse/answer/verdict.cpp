@@ -1,5 +1,6 @@
 #include "suffuse/answer/verdict.hpp"
 
+#include "suffuse/answer/filter_words.hpp"
 #include "suffuse/answer/headlines.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
@@ -267,6 +268,9 @@ Question question_of(const RunResults& results) {
     if (has_thresholds(results)) {
         return Question::Fines;
     }
+    if (!filter_stages(results.stages).empty()) {
+        return Question::Filter;
+    }
     if (outcome != nullptr && outcome->points.size() > 1) {
         return Question::Sweep;
     }
@@ -288,6 +292,9 @@ std::vector<std::string> verdict_of_run(const RunResults& results) {
     switch (question_of(results)) {
     case Question::Fines:
         lines = describe_fines(results);
+        break;
+    case Question::Filter:
+        lines = filter_verdict(filter_stages(results.stages));
         break;
     case Question::Sweep:
         lines = verdict_by_ratio(results.mobility);

@@ -11,6 +11,7 @@ namespace suffuse::answer {
 /// What the run is about: decides verdict, cards and picture alike.
 enum class Question {
     Fines,   ///< a study over the fines content whose thresholds were found
+    Filter,  ///< whether a filter holds its base
     Sweep,   ///< a study over something else
     Weight,  ///< which gradient moves fines that have weight
     Erosion, ///< what an erosion by water does

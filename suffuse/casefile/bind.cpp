@@ -67,7 +67,10 @@ void check_preset(ReadContext& context, const Node::Entry& entry) {
         double ratio = 0;
         std::int64_t count = 0;
         std::vector<double> ratios;
-        if (key.is_list) {
+        std::vector<std::string> names;
+        if (key.kind == ValueKind::Text) {
+            v.field(key.name, names);
+        } else if (key.is_list) {
             v.field(key.name, ratios);
         } else if (key.kind == ValueKind::Count) {
             v.field(key.name, count);

@@ -59,7 +59,9 @@ constexpr std::array code_table = {
         "E407", "not a measure of this verb",
         "`measure` requests something that only other verbs have: stress-strain curves, for example, belong to "
         "triaxial tests."},
-    Code{"E408", "unknown study", "--study NAME takes the NAME of a [study.NAME] table of the case."},
+    Code{
+        "E408", "unknown study",
+        "--study NAME, and `studies` of a preset, take the NAME of a [study.NAME] table of the case."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
         "E502", "bad value in a data file",

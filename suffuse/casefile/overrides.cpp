@@ -61,6 +61,44 @@ void for_each_stage(Node& root, const std::vector<std::string>& verbs, Visit vis
     });
 }
 
+struct NamedStudy {
+    std::string name;
+    Place place; ///< of the name
+};
+
+/// Takes out all other studies; none where no name is given.
+void keep_named(Node& root, const std::vector<NamedStudy>& names, Problems& problems) {
+    Node::Entry* studies = root.find("study");
+    if (names.empty() || studies == nullptr || !studies->value.is_table()) {
+        return;
+    }
+    std::vector<Node::Entry>& entries = studies->value.entries;
+    std::vector<std::string> known;
+    std::ranges::transform(entries, std::back_inserter(known), &Node::Entry::key);
+    for (const NamedStudy& named : names) {
+        if (std::ranges::find(known, named.name) == known.end()) {
+            problems.error(
+                "E408", named.place, fmt::format("there is no study \"{}\"", named.name),
+                fmt::format("known are {}", fmt::join(known, ", "))
+            );
+        }
+    }
+    std::erase_if(entries, [&](const Node::Entry& study) {
+        return std::ranges::find(names, study.key, &NamedStudy::name) == names.end();
+    });
+}
+
+/// What is no text is reported where the presets are read.
+void keep_studies_of_preset(Node& root, const Node& value, Problems& problems) {
+    std::vector<NamedStudy> wanted;
+    for (const Node& item : value.items) {
+        if (item.is_text()) {
+            wanted.push_back({item.text, item.place});
+        }
+    }
+    keep_named(root, wanted, problems);
+}
+
 /// @param weighs fines have weight, and keys of probes without it have no meaning
 void apply_preset_key(Node& root, const Node::Entry& entry, bool weighs) {
     const std::string& key = entry.key;
@@ -145,31 +183,23 @@ void apply_preset(Node& root, const std::string& name, const Place& preset_place
     } // reported where the presets are read
     const std::vector<Node::Entry> entries = preset->value.entries;
     for (const Node::Entry& entry : entries) {
-        apply_preset_key(root, entry, weighs);
+        if (entry.key == "studies") {
+            keep_studies_of_preset(root, entry.value, problems);
+        } else {
+            apply_preset_key(root, entry, weighs);
+        }
     }
 }
 
 void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems) {
-    Node::Entry* studies = root.find("study");
-    if (names.empty() || studies == nullptr || !studies->value.is_table()) {
-        return;
-    }
-    std::vector<Node::Entry>& entries = studies->value.entries;
-    std::vector<std::string> known;
-    std::ranges::transform(entries, std::back_inserter(known), &Node::Entry::key);
+    std::vector<NamedStudy> wanted;
+    wanted.reserve(names.size());
     for (const std::string& name : names) {
-        if (std::ranges::find(known, name) == known.end()) {
-            const Place preset_place{
-                std::make_shared<Source>(Source{"--study", name}), 1, 1, static_cast<int>(name.size())};
-            problems.error(
-                "E408", preset_place, fmt::format("there is no study \"{}\"", name),
-                fmt::format("known are {}", fmt::join(known, ", "))
-            );
-        }
+        wanted.push_back(
+            {name, {std::make_shared<Source>(Source{"--study", name}), 1, 1, static_cast<int>(name.size())}}
+        );
     }
-    std::erase_if(entries, [&](const Node::Entry& study) {
-        return std::ranges::find(names, study.key) == names.end();
-    });
+    keep_named(root, wanted, problems);
 }
 
 std::optional<std::string>

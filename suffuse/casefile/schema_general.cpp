@@ -157,6 +157,7 @@ std::vector<Key> preset_rows() {
         ratio("presets.*", "inertial_number", above_zero, "Replaces `inertial_number` of every triaxial stage.");
     inertial.form = "a ratio above 0, or \"strict\" (1e-4), or \"loose\" (1e-3)";
     return {
+        list_of(text("presets.*", "studies", "Only these studies: the others are left out.")),
         count("presets.*", "particles", from_one, "Replaces `particles` of every study that packs its own grains."),
         count(
             "presets.*", "coarse_grains", from_one, "Replaces it in `sample_size` of every study that has such a table."

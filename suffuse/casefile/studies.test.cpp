@@ -263,6 +263,21 @@ TEST(Studies, RequestedThatTheCaseDoesNotHaveAreReported) {
     EXPECT_EQ(found.help, "known are one");
 }
 
+TEST(Presets, KeepTheStudiesThatTheyNameAlone) {
+    const std::string two = good_case + "[study.two]\nsoil = \"sand\"\nparticles = 3000\n[[study.two.stage]]\nname = "
+                                        "\"cloud\"\ndo = \"pack\"\n[presets.quick]\nstudies = [\"two\"]\n";
+    EXPECT_EQ(load(two).studies.size(), 2U);
+    const Case quick = load(two, {"quick", {}});
+    ASSERT_EQ(quick.studies.size(), 1U);
+    EXPECT_EQ(quick.studies[0].name, "two");
+    const std::string wrong = good_case + "[presets.quick]\nstudies = [\"two\"]\n";
+    const Diagnostic found = find_problem(problems_of(wrong, {"quick", {}}), "E408");
+    EXPECT_EQ(found.line, 16);
+    EXPECT_EQ(found.help, "known are one");
+    const std::string number = good_case + "[presets.quick]\nstudies = [2]\n";
+    EXPECT_EQ(find_problem(problems_of(number), "E205").line, 16);
+}
+
 TEST(Set, ChangesAnyKeyAfterThePreset) {
     const Case c = load(
         with_presets, {"quick",

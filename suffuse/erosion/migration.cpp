@@ -4,6 +4,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/base_profile.hpp"
+#include "suffuse/erosion/filter_view.hpp"
 #include "suffuse/erosion/migration_leg.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/rest_under_weight.hpp"
@@ -205,6 +206,7 @@ bool end_hold(Migration& migration, const MigrateSpec& spec) {
         note_profile(
             migration.ledger, migration.world, migration.stack, spec.direction, migration.result.profile, hold
         );
+        look_again(migration.ledger, migration.world, migration.stack, spec.direction, migration.result.filter);
     }
     return is_over;
 }
@@ -275,6 +277,7 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         MigrationHold none;
         migration.result.profile = begin_profile(sorted, migration.stack, spec.direction);
         note_profile(ledger, sorted, migration.stack, spec.direction, migration.result.profile, none);
+        migration.result.filter = view_filter(sorted, migration.stack, spec.direction);
     }
     migration.result.holds.push_back({.gradient = spec.gradients.front()});
     return migration;

@@ -47,6 +47,30 @@ struct BaseProfile {
     std::vector<std::vector<double>> base; ///< likewise of the base: before, and at the end of each hold
 };
 
+/// Circles in which a plane along the flow cuts a stack, a row a grain that it meets.
+struct StackCut {
+    double width = 0;                  ///< of the stack in that plane, periodic [m]
+    std::vector<double> along, across; ///< centers: along the flow from where the filter begins, and across it [m]
+    std::vector<double> radius;        ///< of the circle [m]
+    std::vector<std::uint8_t> is_base; ///< 1: a base grain, 0: one of the filter
+};
+
+/// Classes of the base by size, of equal mass, without the grains that are held: a row a class, the finest first.
+struct BaseSizes {
+    std::vector<double> diameter;        ///< mean by mass [m]
+    std::vector<double> mass_share;      ///< of the free base [-]
+    std::vector<double> entered, eroded; ///< of the class: beyond the interface, and across the exit [-]
+};
+
+/// What shows whether a filter holds.
+struct FilterView {
+    double filter_d15 = 0, base_d85 = 0; ///< of the grains that are there, by mass [m]; 0: no stack
+    double constriction = 0;             ///< controlling, of the filter alone [m]
+    double largest_eroded = 0;           ///< diameter of the largest base grain that left [m]; 0: none
+    StackCut before, after;
+    BaseSizes sizes; ///< at the end
+};
+
 /// What has become of a fine grain.
 enum class Whereabouts {
     Stayed, ///< within half a diameter of where it rested first
@@ -94,6 +118,7 @@ struct MigrationResult {
     std::vector<MigrationHold> holds;
     double fines_mass = 0; ///< of the sample before [kg]
     BaseProfile profile;   ///< of a stack
+    FilterView filter;     ///< likewise
 };
 
 /// Mass that crossed the exit [kg].

@@ -23,11 +23,6 @@ double middle_of_fines(const dem::World& world, const Vec3& along, double length
     return std::atan2(sine, cosine) / (2 * pi) * length;
 }
 
-/// `at`, moved by whole periods to [from, from + length).
-double moved_into(double at, double from, double length) {
-    return at - std::floor((at - from) / length) * length;
-}
-
 /// Spheres along the flow: of one kind, by the distance of their centers from the middle of the base.
 struct Row {
     double at = 0, radius = 0; ///< [m]
@@ -85,6 +80,10 @@ private:
 };
 
 } // namespace
+
+double moved_into(double at, double from, double length) {
+    return at - std::floor((at - from) / length) * length;
+}
 
 double Stack::place(double at) const {
     return moved_into(at, 0.5 * (face + interface - length), length);

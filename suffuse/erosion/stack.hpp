@@ -28,6 +28,9 @@ struct Stack {
     [[nodiscard]] double place(double at) const;
 };
 
+/// `at`, moved by whole periods to [from, from + length).
+double moved_into(double at, double from, double length);
+
 /// Volume of the part of a sphere below a plane at `h` above its lowest point [m3].
 double cap_volume(double radius, double h);
 

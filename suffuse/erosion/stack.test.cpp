@@ -6,6 +6,7 @@
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/base_profile.hpp"
+#include "suffuse/erosion/filter_view.hpp"
 #include "suffuse/erosion/migration.hpp"
 
 #include <gtest/gtest.h>
@@ -205,6 +206,64 @@ TEST(Stack, MigratesToTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
     EXPECT_EQ(one.ledger.end, three.ledger.end);
     EXPECT_EQ(one.result.profile.base, three.result.profile.base);
     EXPECT_EQ(dem::state_hash(one.world), dem::state_hash(three.world));
+}
+
+TEST(FilterView, HasTheHoleOfALatticeAsControllingConstrictionAndTheSizesOfBoth) {
+    const dem::World world = two_lattices(6, 4, 3, 1e-3);
+    const FilterView view = view_filter(world, find_layers(world, {0, 0, 1}), {0, 0, 1});
+    constexpr double D = side / 2, gap = 1.001;
+    EXPECT_NEAR(view.constriction, (std::sqrt(2.0) * gap - 1) * D, 1e-9 * D);
+    EXPECT_NEAR(view.filter_d15, D, 1e-12);
+    EXPECT_NEAR(view.base_d85, side / 6, 1e-12);
+}
+
+TEST(FilterView, CutsEachGrainThatThePlaneMeetsInItsCircle) {
+    dem::World world = two_lattices(6, 4, 3, 1e-3);
+    constexpr double off = 0.1e-3; // of the filter's centers from the plane
+    const double middle = 0.5 * world.cell.h(1, 1);
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        if (world.grains.fine[g] == 0) {
+            world.grains.position[g].y = world.grains.position[g].y < middle ? middle - off : middle + 5 * off;
+        }
+    }
+    // The plane is normal to the axis two behind that of the flow.
+    const StackCut cut = cut_stack(world, find_layers(world, {0, 0, 1}), {0, 0, 1});
+    EXPECT_EQ(std::accumulate(cut.is_base.begin(), cut.is_base.end(), 0), 0) << "between two layers of the base";
+    ASSERT_EQ(cut.radius.size(), 6U);
+    for (std::size_t k = 0; k < cut.radius.size(); ++k) {
+        EXPECT_NEAR(cut.radius[k], std::sqrt(0.25e-6 - off * off), 1e-12);
+        EXPECT_GT(cut.along[k], 0);
+        EXPECT_LT(cut.along[k], 3.01e-3);
+    }
+}
+
+TEST(FilterView, SharesWhatLeftAmongTheSizesOfTheBase) {
+    dem::World world = two_lattices(8, 3, 2, 0);
+    world.material.friction = 0;
+    for (std::size_t g = 0; g < world.grains.size(); g += 2) { // every other grain of the base is smaller
+        if (world.grains.fine[g] != 0) {
+            world.grains.radius[g] *= 0.8;
+            world.grains.mass[g] *= 0.8 * 0.8 * 0.8;
+        }
+    }
+    MigrateSpec spec = downward(1);
+    spec.hold_at_most = 0.1;
+    const Migration lost = migrate(world, spec);
+    const BaseSizes& sizes = lost.result.filter.sizes;
+    ASSERT_GT(sizes.diameter.size(), 2U);
+    EXPECT_TRUE(std::ranges::is_sorted(sizes.diameter));
+    double share = 0, left = 0;
+    for (std::size_t k = 0; k < sizes.diameter.size(); ++k) {
+        share += sizes.mass_share[k];
+        left += sizes.mass_share[k] * sizes.eroded[k];
+        EXPECT_LE(sizes.eroded[k], sizes.entered[k]);
+    }
+    const double free = 1 - mass_share(lost.ledger, Whereabouts::Fixed);
+    EXPECT_NEAR(share, 1, 1e-12);
+    EXPECT_GT(left, 0);
+    EXPECT_NEAR(left * free * lost.result.fines_mass, eroded_mass(lost.ledger), 1e-12 * lost.result.fines_mass);
+    EXPECT_GT(lost.result.filter.largest_eroded, 0.19e-3);
+    EXPECT_NE(lost.result.filter.before.along, lost.result.filter.after.along);
 }
 
 TEST(Stack, NeedsAnExitBehindItsBase) {

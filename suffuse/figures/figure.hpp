@@ -17,7 +17,7 @@ struct Figure {
     std::string title;        ///< a few words: what is drawn
     std::string claim;        ///< what it shows, in a short sentence: its heading in the report; empty: the title
     std::string caption;      ///< this run's numbers, how to read it, and what limits it
-    std::string section;      ///< of the report: "Soils", "Tests", "Water", "Erosion"
+    std::string section;      ///< of the report: "Soils", "Tests", "Water", "Filter", "Erosion"
     Table table;              ///< what is drawn
     nlohmann::json chart;     ///< Vega-Lite without `data`; null where there is a drawing
     std::string drawing = {}; ///< SVG text instead of a chart

@@ -130,6 +130,18 @@ constexpr std::array guides = {
         "own-migration-time", "fines that leave over time",
         "The same over the soil's own time, a point a solution of the flow.", "a `migrate` stage"},
     Guide{
+        "own-filter-profile", "where the base is in its filter",
+        "Solid of the filter, and of the base before and at the end, over the depth behind the interface.",
+        "a `migrate` stage of `layers`"},
+    Guide{
+        "own-filter-cut", "a cut through base and filter",
+        "Circles in which a plane along the flow cuts the grains, before and at the end.",
+        "a `migrate` stage of `layers`"},
+    Guide{
+        "own-filter-sizes", "which sizes of the base pass",
+        "Share of each size of the base beyond the interface, and of what left the filter.",
+        "a `migrate` stage of `layers`"},
+    Guide{
         "own-throat-flux", "flux through a throat against its size",
         "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
         "flow stages.",

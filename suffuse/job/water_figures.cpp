@@ -1,5 +1,6 @@
 #include "suffuse/job/water_figures.hpp"
 
+#include "suffuse/figures/figures_filter.hpp"
 #include "suffuse/figures/figures_flux.hpp"
 #include "suffuse/figures/figures_migration.hpp"
 #include "suffuse/figures/figures_mobility.hpp"
@@ -50,7 +51,9 @@ std::vector<figures::Figure> draw_migration(const std::vector<record::FinishedSt
         }
     }
     std::vector<figures::Figure> figures;
-    for (auto draw : {figures::migration_by_gradient, figures::migration_in_time}) {
+    for (auto draw :
+         {figures::migration_by_gradient, figures::migration_in_time, figures::filter_profile, figures::filter_cut,
+          figures::filter_sizes}) {
         if (std::optional<figures::Figure> figure = draw(curves)) {
             figures.push_back(std::move(*figure));
         }

@@ -226,7 +226,10 @@ void from_json(const nlohmann::json& json, MigrationHold& of) {
     record::load_facts(json, facts::migration_hold, of);
 }
 
-SUFFUSE_MEMBERS(MigrationResult, rows, holds, fines_mass, profile)
+SUFFUSE_MEMBERS(StackCut, width, along, across, radius, is_base)
+SUFFUSE_MEMBERS(BaseSizes, diameter, mass_share, entered, eroded)
+SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, constriction, largest_eroded, before, after, sizes)
+SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, profile, filter)
 SUFFUSE_MEMBERS(
     MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, where, goes, before
 )

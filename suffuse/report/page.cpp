@@ -31,8 +31,8 @@ namespace {
 
 using nlohmann::json;
 
-const std::array<const char*, 8> figure_sections = {"Parameters",          "Fit",   "Samples", "Soils",
-                                                    "Fines and structure", "Tests", "Water",   "Erosion"};
+const std::array<const char*, 9> figure_sections = {"Parameters", "Fit",   "Samples", "Soils",  "Fines and structure",
+                                                    "Tests",      "Water", "Filter",  "Erosion"};
 
 /// What page/build.sh leaves: the script, its hash for the content policy, the notices of what is bundled in it.
 struct PageScript {

@@ -27,6 +27,11 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"interface_head_share", 1 - base * first.base - filter * first.filter},
         {"base_permeability_after", rows.back().permeability / now.base},
         {"filter_permeability_after", rows.back().permeability / now.filter},
+        {"filter_d15", migration.result.filter.filter_d15},
+        {"base_d85", migration.result.filter.base_d85},
+        {"size_ratio", migration.result.filter.filter_d15 / migration.result.filter.base_d85},
+        {"controlling_constriction", migration.result.filter.constriction},
+        {"largest_eroded", migration.result.filter.largest_eroded},
         {"base_stress", dem::mean_stress(migration.stress) / migration.scale.factor},
         {"ended", std::ranges::all_of(migration.result.holds, &erosion::MigrationHold::ended)}};
 }

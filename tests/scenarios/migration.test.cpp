@@ -136,6 +136,9 @@ TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
     EXPECT_NEAR(stack.at("base_thickness").get<double>(), 0.9e-3, 0.15e-3);
     EXPECT_LT(stack.at("screen_mass_share"), 0.4);
     EXPECT_LT(stack.at("base_permeability"), stack.at("filter_permeability"));
+    EXPECT_NEAR(stack.at("size_ratio").get<double>(), 2.6, 0.3);
+    EXPECT_GT(stack.at("controlling_constriction"), 0.1547 * 0.54e-3) << "of three grains that touch";
+    EXPECT_LT(stack.at("controlling_constriction"), 0.5 * stack.at("filter_d15").get<double>());
     EXPECT_LT(std::abs(stack.at("interface_head_share").get<double>()), 0.4);
     EXPECT_LT(flow.at("eroded_mass_share"), 0.01) << "a filter of this ratio holds all but single grains";
     const json& hold = flow.at("holds")[0];
@@ -146,11 +149,20 @@ TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
     const std::vector<std::string> profile = lines_of_table(folder.path() / "run/studies/s/flow/profile.csv");
     EXPECT_EQ(profile.front(), "gradient,from,to,base,filter");
     EXPECT_EQ(profile.size() % 2, 1U) << "before and after";
+    const std::string page = text_of(folder.path() / "run/report.html");
+    EXPECT_NE(page.find("Does the filter hold?"), std::string::npos);
+    for (const char* figure : {"own-filter-profile", "own-filter-cut", "own-filter-sizes"}) {
+        EXPECT_NE(page.find(figure), std::string::npos) << figure;
+    }
 }
 
-TEST(Migration, GoesOnAfterStopsToTheSameBits) {
+/// Runs a case at once, and again with a stop at each 40th beat of its stage.
+/// @param tables of the stage, whose texts must be the same
+void expect_same_bits_after_stops(
+    const std::string& what, const std::string& stage, const std::vector<std::string>& tables
+) {
     const TempFolder straight, broken;
-    run_text(reference_constants + gap_graded, straight.path());
+    run_text(what, straight.path());
     int stops = 0;
     for (bool is_over = false; !is_over; ++stops) {
         std::atomic<bool> stop{false};
@@ -159,19 +171,30 @@ TEST(Migration, GoesOnAfterStopsToTheSameBits) {
         options.progress_interval = 0;
         int beats = 0;
         options.on_progress = [&](const run::Progress& progress) {
-            beats += progress.stage == "away" && progress.part == "migrate" ? 1 : 0;
+            beats += progress.stage == stage && progress.part == "migrate" ? 1 : 0;
             stop = stop || beats >= 40;
         };
-        is_over =
-            run_text(reference_constants + gap_graded, broken.path(), options).outcome != record::Outcome::Stopped;
+        is_over = run_text(what, broken.path(), options).outcome != record::Outcome::Stopped;
         ASSERT_LT(stops, 200);
     }
     EXPECT_GE(stops, 3);
-    const char* const rows = "run/studies/s/away/migration.csv";
-    const char* const ledger = "run/studies/s/away/ledger.csv";
-    EXPECT_EQ(text_of(broken.path() / rows), text_of(straight.path() / rows));
-    EXPECT_EQ(text_of(broken.path() / ledger), text_of(straight.path() / ledger));
-    EXPECT_EQ(stage_of(broken.path(), "away").at("state_hash"), stage_of(straight.path(), "away").at("state_hash"));
+    for (const std::string& table : tables) {
+        const std::string file = "run/studies/s/" + stage + "/" + table;
+        EXPECT_EQ(text_of(broken.path() / file), text_of(straight.path() / file)) << table;
+    }
+    json after = stage_of(broken.path(), stage), before = stage_of(straight.path(), stage);
+    EXPECT_EQ(after.at("state_hash"), before.at("state_hash"));
+    EXPECT_EQ(after.value("stack", json()), before.value("stack", json()));
+}
+
+TEST(Migration, GoesOnAfterStopsToTheSameBits) {
+    expect_same_bits_after_stops(reference_constants + gap_graded, "away", {"migration.csv", "ledger.csv"});
+}
+
+TEST(Migration, OfABaseIntoItsFilterGoesOnAfterStopsToTheSameBits) {
+    expect_same_bits_after_stops(
+        reference_constants + base_on_filter, "flow", {"migration.csv", "ledger.csv", "profile.csv"}
+    );
 }
 
 } // namespace

@@ -1,0 +1,265 @@
+#include "suffuse/answer/filter_words.hpp"
+
+#include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+
+namespace suffuse::answer {
+namespace {
+
+using erosion::MigrationHold;
+using erosion::MigrationResult;
+using record::FinishedStage;
+
+using Stages = std::vector<const FinishedStage*>;
+
+constexpr std::size_t most_stages = 3, most_doubts = 3, doubts_in_note = 2, most_listed = 60;
+
+const MigrationResult& result_of(const FinishedStage& stage) {
+    return *stage.findings.migration;
+}
+
+const MigrationHold& end_of(const FinishedStage& stage) {
+    return result_of(stage).holds.back();
+}
+
+bool all_ended(const MigrationResult& result) {
+    return std::ranges::all_of(result.holds, &MigrationHold::ended);
+}
+
+std::string ratio_text(const FinishedStage& stage) {
+    const erosion::FilterView& view = result_of(stage).filter;
+    return short_number(view.filter_d15 / view.base_d85, 2);
+}
+
+std::string millimeters(double length) {
+    return short_number(1e3 * length, 2) + " mm";
+}
+
+std::string_view in_words(FilterVerdict verdict) {
+    switch (verdict) {
+    case FilterVerdict::Holds:
+        return "the filter holds";
+    case FilterVerdict::HoldsAfterLoss:
+        return "the filter holds after a loss";
+    case FilterVerdict::Undecided:
+        return "this run does not decide";
+    case FilterVerdict::LetsPass:
+        return "the filter lets the base pass";
+    }
+    return "";
+}
+
+/// "nothing passed" or "27 % passed".
+std::string passed_text(const MigrationHold& end) {
+    return end.eroded_mass_share > 0 ? percent_text(end.eroded_mass_share) + " passed" : "nothing passed";
+}
+
+/// "the filter holds: nothing passed, the base came 1.5 mm deep, and motion ended."
+std::string short_answer(const FinishedStage& stage) {
+    const MigrationHold& end = end_of(stage);
+    const bool ended = all_ended(result_of(stage));
+    return fmt::format(
+        "{}: {}, the base came {} deep, and {}.", in_words(judge_filter(result_of(stage))), passed_text(end),
+        millimeters(end.depth), ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
+    );
+}
+
+/// What a doubt is worth: 1 where it begins to matter.
+struct FilterDoubt {
+    double weight = 0;
+    std::string sentence;
+};
+
+void doubt_end(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+    const auto cut =
+        std::ranges::find_if(stages, [](const FinishedStage* stage) { return !all_ended(result_of(*stage)); });
+    if (cut != stages.end()) {
+        const MigrationHold& end = end_of(**cut);
+        doubts.push_back(
+            {10, fmt::format(
+                     "Motion had not ended after {} s: what passed is a lower bound. To hold longer: `--set "
+                     "study.{}.stage.{}.hold_at_most={:.2g}`.",
+                     short_number(end.held_for, 2), (*cut)->study->name, (*cut)->stage->name, 4 * end.held_for
+                 )}
+        );
+    }
+}
+
+void doubt_overlap(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+    constexpr double wide = 0.05;
+    double overlap = 0;
+    for (const FinishedStage* stage : stages) {
+        overlap = std::max(overlap, stage->numbers.at("largest_overlap").get<double>());
+    }
+    if (overlap > wide) {
+        doubts.push_back(
+            {overlap / wide, fmt::format(
+                                 "Base grains overlapped by up to {} of a radius. A larger `modulus`, or a smaller "
+                                 "`pressure` of the compaction, mends that.",
+                                 percent_text(overlap)
+                             )}
+        );
+    }
+}
+
+/// The base is softer by the same factor as its contacts, and bears that much less.
+void doubt_stress(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+    const FinishedStage& stage = *stages.front();
+    const double base = stage.numbers.at("stack").at("base_stress"), mean = stage.numbers.at("mean_stress");
+    doubts.push_back(
+        {1.5, fmt::format(
+                  "The base bears {} Pa, and not the {} kPa of the sample: this is a filter test without a load.",
+                  short_number(base, 2), short_number(mean / 1e3, 2)
+              )}
+    );
+}
+
+void doubt_scatter(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+    const FinishedStage& stage = *stages.front();
+    if (stage.study->replicates < 2) {
+        doubts.push_back(
+            {2, fmt::format(
+                    "Each stack is one small sample. For the scatter: `--set study.{}.replicates=3`.", stage.study->name
+                )}
+        );
+    }
+}
+
+std::string hold_text(const MigrationResult& result) {
+    const double seconds = result.rows.empty() ? 0 : result.rows.back().time;
+    return short_number(seconds, 2) + (all_ended(result) ? "" : ", cut");
+}
+
+} // namespace
+
+FilterVerdict judge_filter(const MigrationResult& result) {
+    const double lost = result.holds.back().eroded_mass_share;
+    if (lost > most_lost) {
+        return FilterVerdict::LetsPass;
+    }
+    if (!all_ended(result)) {
+        return FilterVerdict::Undecided;
+    }
+    return lost > 0 ? FilterVerdict::HoldsAfterLoss : FilterVerdict::Holds;
+}
+
+std::vector<const FinishedStage*> filter_stages(const std::vector<FinishedStage>& stages) {
+    Stages found;
+    for (const FinishedStage& stage : stages) {
+        const auto& migration = stage.findings.migration;
+        if (migration && migration->filter.filter_d15 > 0 && !migration->holds.empty()) {
+            found.push_back(&stage);
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> filter_verdict(const Stages& stages) {
+    if (stages.size() > most_stages) {
+        const auto count = [&](FilterVerdict verdict) {
+            return std::ranges::count(stages, verdict, [](const FinishedStage* stage) {
+                return judge_filter(result_of(*stage));
+            });
+        };
+        return {
+            fmt::format("The filter holds in {} of {} samples.", count(FilterVerdict::Holds), stages.size()),
+            fmt::format(
+                "It holds after a loss in {}, lets the base pass in {}, and {} are not decided.",
+                count(FilterVerdict::HoldsAfterLoss), count(FilterVerdict::LetsPass), count(FilterVerdict::Undecided)
+            )};
+    }
+    std::vector<std::string> sentences;
+    for (const FinishedStage* stage : stages) {
+        sentences.push_back(fmt::format("At D15/d85 = {} {}", ratio_text(*stage), short_answer(*stage)));
+    }
+    return sentences;
+}
+
+std::vector<std::string> filter_doubts(const Stages& stages) {
+    std::vector<FilterDoubt> doubts;
+    doubt_end(stages, doubts);
+    doubt_overlap(stages, doubts);
+    doubt_scatter(stages, doubts);
+    doubt_stress(stages, doubts);
+    std::ranges::stable_sort(doubts, std::greater(), &FilterDoubt::weight);
+    doubts.resize(std::min(doubts.size(), most_doubts));
+    std::vector<std::string> sentences;
+    std::ranges::transform(doubts, std::back_inserter(sentences), &FilterDoubt::sentence);
+    return sentences;
+}
+
+std::vector<Headline> filter_headlines(const Stages& stages) {
+    std::vector<Headline> cards;
+    for (const FinishedStage* stage : stages) {
+        if (cards.size() == most_stages) {
+            break;
+        }
+        const MigrationHold& end = end_of(*stage);
+        const bool ended = all_ended(result_of(*stage));
+        Headline card{
+            percent_text(end.eroded_mass_share), fmt::format("Passed at D15/d85 = {}", ratio_text(*stage)),
+            fmt::format(
+                "{} beyond the interface, {} deep", percent_text(end.entered_mass_share), millimeters(end.depth)
+            )};
+        card.lead = ended || end.eroded_mass_share == 0 ? "" : "at least";
+        card.caution = ended ? "" : percent_text(end.moving_mass_share) + " of the base still moved at the end.";
+        cards.push_back(std::move(card));
+    }
+    return cards;
+}
+
+std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedStage>& stages) {
+    const Stages found = filter_stages(stages);
+    if (found.empty()) {
+        return std::nullopt;
+    }
+    figures::PageTable table;
+    table.section = "Filter";
+    table.title = "Does the filter hold?";
+    std::vector<std::string> sentences = filter_verdict(found), doubts = filter_doubts(found);
+    doubts.resize(std::min(doubts.size(), doubts_in_note));
+    table.note = fmt::format(
+        "{} The largest doubts: {} Passed: of the base's mass, across the exit; up to {} of it counts as a loss after "
+        "which a filter holds. Constriction: Kenney's, the largest sphere that finds a way through the filter.",
+        fmt::join(sentences, " "), fmt::join(doubts, " "), percent_text(most_lost)
+    );
+    table.header = {
+        "sample",
+        "D15/d85 [-]",
+        "gradient of the base [-]",
+        "time [s]",
+        "passed",
+        "still moving",
+        "beyond the interface",
+        "depth [mm]",
+        "constriction/D15 [-]",
+        "largest that passed [mm]",
+        "verdict"};
+    table.numeric.assign(table.header.size(), true);
+    table.numeric.front() = table.numeric.back() = false;
+    for (const FinishedStage* stage : found) {
+        if (table.rows.size() == most_listed) {
+            break;
+        }
+        const MigrationHold& end = end_of(*stage);
+        const erosion::FilterView& view = result_of(*stage).filter;
+        table.rows.push_back(
+            {stage->name(), ratio_text(*stage), short_number(end.gradient), hold_text(result_of(*stage)),
+             percent_text(end.eroded_mass_share), percent_text(end.moving_mass_share),
+             percent_text(end.entered_mass_share), short_number(1e3 * end.depth, 2),
+             short_number(view.constriction / view.filter_d15, 2),
+             view.largest_eroded > 0 ? short_number(1e3 * view.largest_eroded, 2) : "–",
+             std::string(in_words(judge_filter(result_of(*stage))))}
+        );
+    }
+    return table;
+}
+
+} // namespace suffuse::answer
