@@ -37,6 +37,8 @@ py::array_t<double> times_of(const std::vector<double>& times) {
 py::dict ledger_of(const erosion::MigrationLedger& ledger) {
     py::array_t<std::uint32_t> id(static_cast<py::ssize_t>(ledger.size()));
     std::ranges::copy(ledger.id, id.mutable_data());
+    py::array_t<std::int32_t> throats(id.size());
+    std::ranges::transform(ledger.passed, throats.mutable_data(), &erosion::PassedThroats::count);
     py::list fate;
     for (const erosion::Whereabouts where : ledger.where) {
         fate.append(std::string(name_of(where)));
@@ -50,6 +52,8 @@ py::dict ledger_of(const erosion::MigrationLedger& ledger) {
     dict["end"] = to_array(ledger.end);
     dict["departed"] = times_of(ledger.departed);
     dict["left"] = times_of(ledger.left);
+    dict["throats"] = throats;
+    dict["narrowest"] = column_of(ledger.passed, [](const erosion::PassedThroats& passed) { return passed.narrowest; });
     dict["fate"] = fate;
     return dict;
 }
@@ -139,7 +143,8 @@ void bind_migration(py::module_& m) {
             "`eroded_mass_share`, `moving_mass_share`, `lodged_mass_share`, `energy` [J]; and `grains`, arrays of a "
             "row "
             "a fine grain of the world before: `id`, `diameter` [m], `mass` [kg], `start` and `end` (n x 3) [m], "
-            "`departed` and `left` [s], not a number where it never did, and `fate`: stayed, lodged, moving, eroded or "
+            "`departed` and `left` [s], not a number where it never did, `throats` passed between "
+            "coarse grains and the `narrowest` of them [m] (0: none), and `fate`: stayed, lodged, moving, eroded or "
             "fixed. A call that is interrupted leaves the world as it was.\n"
             "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
             {{"stage.migrate", "gradients"},

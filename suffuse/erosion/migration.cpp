@@ -6,9 +6,10 @@
 #include "suffuse/erosion/base_profile.hpp"
 #include "suffuse/erosion/filter_view.hpp"
 #include "suffuse/erosion/migration_leg.hpp"
+#include "suffuse/erosion/planes_across.hpp"
 #include "suffuse/erosion/reequilibrate.hpp"
 #include "suffuse/erosion/rest_under_weight.hpp"
-#include "suffuse/pores/widest_path.hpp"
+#include "suffuse/erosion/sample_profile.hpp"
 
 #include <fmt/format.h>
 
@@ -45,15 +46,10 @@ void check(const dem::World& world, const MigrateSpec& spec) {
 
 /// The period of the cell along the flow [m]. @throws where a plane across the flow is none of the cell's
 double length_along(const Mat3& h, const MigrateSpec& spec) {
-    constexpr double tilted = 1e-6;
-    const Vec3 along = spec.direction / norm(spec.direction);
-    const int axis = pores::axis_along(h, spec.direction);
-    const double length = std::abs(dot(h.column(axis), along));
-    for (int other = 0; other < 3 && spec.exit; ++other) {
-        if (other != axis && std::abs(dot(h.column(other), along)) > tilted * length) {
-            throw StateError("exit: a plane across this flow cuts the periodic cell at an angle; take a direction that "
-                             "two edges of the cell are perpendicular to, or leave `exit` out");
-        }
+    const double length = period_along(h, spec.direction);
+    if (spec.exit && !has_planes_across(h, spec.direction)) {
+        throw StateError("exit: a plane across this flow cuts the periodic cell at an angle; take a direction that "
+                         "two edges of the cell are perpendicular to, or leave `exit` out");
     }
     if (spec.exit && !(*spec.exit > 0 && *spec.exit <= length)) {
         throw StateError(fmt::format(
@@ -180,6 +176,7 @@ void settle_skeleton(Migration& migration, const MigrateSpec& spec, const Surrou
             ledger.start[k] += copy.position(p) - ledger.end[k];
             ledger.end[k] = ledger.before[k] = copy.position(p);
             ledger.goes[k] = 0;
+            ledger.passed[k].last = PassedThroats::never; // throats are numbered anew
         }
     }
     next.settles = false;
@@ -194,8 +191,18 @@ bool is_spent(const Migration& migration, const MigrateSpec& spec) {
            (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
 }
 
+/// Adds to the profile of one soil what its slices are now, in the flow among the grains that stand.
+void note_slices(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
+    if (migration.result.sample.slices > 0) {
+        const GrainWater water(
+            migration.world, goes_by_row(migration.world, migration.ledger), spec.direction, around.fluid
+        );
+        note_sample_profile(migration.world, water.seepage(), spec.direction, migration.result.sample);
+    }
+}
+
 /// Looks whether the fines rest. @return whether the hold is over
-bool end_hold(Migration& migration, const MigrateSpec& spec) {
+bool end_hold(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
     MigrationHold& hold = migration.result.holds.back();
     hold.moving_mass_share = look_at_motion(migration);
     hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
@@ -207,6 +214,8 @@ bool end_hold(Migration& migration, const MigrateSpec& spec) {
             migration.ledger, migration.world, migration.stack, spec.direction, migration.result.profile, hold
         );
         look_again(migration.ledger, migration.world, migration.stack, spec.direction, migration.result.filter);
+    } else if (is_over) {
+        note_slices(migration, spec, around);
     }
     return is_over;
 }
@@ -273,11 +282,15 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
     ledger.departed_at.assign(ledger.size(), 0);
     ledger.left.assign(ledger.size(), -1);
     ledger.goes.assign(ledger.size(), 0);
+    ledger.passed.resize(ledger.size());
     if (spec.stack) {
         MigrationHold none;
         migration.result.profile = begin_profile(sorted, migration.stack, spec.direction);
         note_profile(ledger, sorted, migration.stack, spec.direction, migration.result.profile, none);
         migration.result.filter = view_filter(sorted, migration.stack, spec.direction);
+    } else {
+        migration.result.sample = begin_sample_profile(sorted, spec.direction);
+        note_slices(migration, spec, around);
     }
     migration.result.holds.push_back({.gradient = spec.gradients.front()});
     return migration;
@@ -295,7 +308,7 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
     leg.enter(migration);
     const bool none_left = find_present(migration.ledger).empty();
     const bool is_due = none_left || migration.time >= (migration.looked + spec.still_for) * nearly_whole;
-    if (is_due && end_hold(migration, spec)) {
+    if (is_due && end_hold(migration, spec, around)) {
         migration.settles = spec.skeleton == Skeleton::Moves;
         if (!migration.settles) {
             begin_next_hold(migration, spec);

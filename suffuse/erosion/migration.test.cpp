@@ -194,6 +194,7 @@ TEST(Migration, HasTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
     set_thread_count(threads);
     EXPECT_EQ(one.ledger.end, three.ledger.end);
     EXPECT_EQ(one.ledger.left, three.ledger.left);
+    EXPECT_EQ(one.ledger.passed, three.ledger.passed);
     EXPECT_EQ(one.energy, three.energy);
     EXPECT_EQ(dem::state_hash(one.world), dem::state_hash(three.world));
 }

@@ -23,18 +23,6 @@ double median_diameter(const grains::Grains& grains) {
     return upper_quantile(std::move(diameter), 0.5);
 }
 
-/// A row a grain of the world: 1 where it goes with the water.
-std::vector<std::uint8_t> flags_of_rows(const dem::World& world, const MigrationLedger& ledger) {
-    std::vector<std::uint8_t> goes(world.grains.size(), 0);
-    const std::vector<std::size_t> present = find_present(ledger);
-    for (std::size_t g = 0, p = 0; g < goes.size(); ++g) {
-        if (world.grains.fine[g] != 0) {
-            goes[g] = ledger.goes[present[p++]];
-        }
-    }
-    return goes;
-}
-
 /// Of contacts of grains that move, over the smaller radius [-].
 double largest_overlap(const dem::World& world) {
     const grains::Grains& grains = world.grains;
@@ -60,6 +48,17 @@ std::vector<std::size_t> find_present(const MigrationLedger& ledger) {
     return present;
 }
 
+std::vector<std::uint8_t> goes_by_row(const dem::World& world, const MigrationLedger& ledger) {
+    std::vector<std::uint8_t> goes(world.grains.size(), 0);
+    const std::vector<std::size_t> present = find_present(ledger);
+    for (std::size_t g = 0, p = 0; g < goes.size(); ++g) {
+        if (world.grains.fine[g] != 0) {
+            goes[g] = ledger.goes[present[p++]];
+        }
+    }
+    return goes;
+}
+
 double strength(const MigrateSpec& spec) {
     return spec.gravity->acceleration / suffuse::gravity;
 }
@@ -69,9 +68,9 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
           beat(around.pulse, part, steps + more);
       }),
       ledger_(before.ledger), present_(find_present(ledger_)),
-      water_(before.world, flags_of_rows(before.world, ledger_), spec.direction, around.fluid),
+      water_(before.world, goes_by_row(before.world, ledger_), spec.direction, around.fluid),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
-      start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
+      throats_(before.world, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
       gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
       force_(before.world.grains.size()), rate_(before.world.grains.size()) {
     if (before.stack.is_stack()) {
@@ -178,6 +177,7 @@ void Leg::note_travel(double time) {
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::size_t k = present_[p];
         const Vec3 way = copy_.position(p) - ledger_.start[k];
+        throats_.follow(p, copy_.position(p), ledger_.passed[k]);
         if (ledger_.departed[k] < 0 && norm(way) > departs * diameter(p)) {
             ledger_.departed[k] = time;
             ledger_.departed_at[k] = gradient_;

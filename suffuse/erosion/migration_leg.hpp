@@ -3,6 +3,7 @@
 
 #include "suffuse/erosion/grain_water.hpp"
 #include "suffuse/erosion/migration.hpp"
+#include "suffuse/erosion/passed_throats.hpp"
 #include "suffuse/erosion/weighed_copy.hpp"
 
 #include <cstdint>
@@ -16,6 +17,9 @@ constexpr double nearly_whole = 1 - 1e-9; ///< of a time
 
 /// Fines that are still there, by their number p in a copy: their rows of the ledger.
 std::vector<std::size_t> find_present(const MigrationLedger& ledger);
+
+/// A row a grain of the world: 1 where it goes with the water.
+std::vector<std::uint8_t> goes_by_row(const dem::World& world, const MigrationLedger& ledger);
 
 /// Factor between a hydraulic gradient under this gravity and one of the flow's, which is of standard gravity.
 double strength(const MigrateSpec& spec);
@@ -50,6 +54,7 @@ private:
     std::vector<std::size_t> present_;
     GrainWater water_;
     WeighedCopy copy_;
+    CoarseThroats throats_;
     std::vector<Vec3> start_;          ///< fines where the flow was solved [m]
     double to_true_;                   ///< time of the copy to true time [-]
     double gradient_;                  ///< prescribed [-]

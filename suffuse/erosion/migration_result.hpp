@@ -71,6 +71,15 @@ struct FilterView {
     BaseSizes sizes; ///< at the end
 };
 
+/// Along the flow, in slices across it, counted from where the water enters the cell; a row a state: before, and at the
+/// end of each hold (sample_profile.hpp).
+struct SampleProfile {
+    std::size_t slices = 0;                           ///< of the cell; 0: none
+    std::vector<double> step;                         ///< thickness of a slice [m]
+    std::vector<std::vector<double>> porosity, fines; ///< fines: solid volume over that of the slice [-]
+    std::vector<std::vector<double>> permeability;    ///< along the flow [m2]
+};
+
 /// What has become of a fine grain.
 enum class Whereabouts {
     Stayed, ///< within half a diameter of where it rested first
@@ -97,6 +106,17 @@ constexpr std::string_view name_of(Whereabouts where) {
     return "";
 }
 
+/// Throats of the coarse skeleton that a grain has passed since it rested first (passed_throats.hpp).
+struct PassedThroats {
+    std::int32_t count = 0;    ///< without those that it came back through at once
+    double narrowest = 0;      ///< diameter of the constriction, coming back or not; 0: none was passed [m]
+    std::int64_t last = never; ///< twice the throat, and the side that it came from
+
+    static constexpr std::int64_t never = -1;
+
+    bool operator==(const PassedThroats&) const = default;
+};
+
 /// All fines of the sample, those that left too. Every column has a row a grain, in the order of the sample's table.
 struct MigrationLedger {
     std::vector<std::uint32_t> id;
@@ -106,6 +126,7 @@ struct MigrationLedger {
     std::vector<double> departed;       ///< time at which it was half a diameter from its start; negative: never [s]
     std::vector<double> departed_at;    ///< the gradient then [-]
     std::vector<double> left;           ///< time at which it crossed the exit; negative: never [s]
+    std::vector<PassedThroats> passed;  ///< of the coarse skeleton
     std::vector<Whereabouts> where;
     std::vector<std::uint8_t> goes; ///< 1: with the water, so that it does not resist it
     std::vector<Vec3> before;       ///< where it was when motion was last looked at [m]
@@ -119,6 +140,7 @@ struct MigrationResult {
     double fines_mass = 0; ///< of the sample before [kg]
     BaseProfile profile;   ///< of a stack
     FilterView filter;     ///< likewise
+    SampleProfile sample;  ///< of others
 };
 
 /// Mass that crossed the exit [kg].

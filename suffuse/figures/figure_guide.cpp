@@ -142,6 +142,14 @@ constexpr std::array guides = {
         "Share of each size of the base beyond the interface, and of what left the filter.",
         "a `migrate` stage of `layers`"},
     Guide{
+        "own-migration-power", "erosion rate against the power of the flow",
+        "Mass that leaves in a second, over the power that the flow spends, a point a gradient; a line where the "
+        "points carry one.",
+        "a `migrate` stage in which fines left"},
+    Guide{
+        "own-migration-profile", "porosity, fines and permeability along the flow",
+        "In slices across the flow, before and at the end of gradients.", "a `migrate` stage without layers"},
+    Guide{
         "own-throat-flux", "flux through a throat against its size",
         "Median and middle 80 % of the flux, over its mean, of throats of one size: before and after erosion, or of "
         "flow stages.",

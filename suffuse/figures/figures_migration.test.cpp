@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace suffuse::figures {
 namespace {
 
@@ -38,6 +40,66 @@ TEST(MigrationFigures, OverTimeHaveAtMostSomeHundredPointsAndTheLast) {
     EXPECT_LE(figure->table.rows(), 401U);
     EXPECT_DOUBLE_EQ(figure->table.numbers("time").back(), 9.99);
     EXPECT_DOUBLE_EQ(figure->table.numbers("eroded").back(), 49.95);
+}
+
+/// A stage whose fines leave in proportion to the energy that the flow spends, by so much for each joule, but for
+/// `off`.
+MigrationCurve five_gradients(double mass_a_joule, double off) {
+    MigrationCurve curve{"silt", {.fines_mass = 1e-3}};
+    double energy = 0, mass = 0;
+    for (int k = 1; k <= 5; ++k) {
+        const double power = 1e-6 * k, held_for = 0.5 + 0.1 * k;
+        energy += power * held_for;
+        mass += (mass_a_joule * power + (k % 2 == 0 ? off : -off)) * held_for;
+        const double end = (curve.result.rows.empty() ? 0 : curve.result.rows.back().time) + held_for;
+        curve.result.rows.push_back({.time = end - 0.1, .energy = energy - 0.1 * power});
+        curve.result.rows.push_back({.time = end, .energy = energy});
+        curve.result.holds.push_back(
+            {.gradient = 0.1 * k, .held_for = held_for, .eroded_mass_share = mass / curve.result.fines_mass}
+        );
+    }
+    return curve;
+}
+
+TEST(MigrationFigures, HaveTheMeanRateAndPowerOfEachHold) {
+    const RatesByPower rates = rates_by_power(five_gradients(2, 0).result);
+    ASSERT_EQ(rates.power.size(), 5U);
+    for (std::size_t k = 0; k < 5; ++k) {
+        EXPECT_NEAR(rates.power[k], 1e-6 * static_cast<double>(k + 1), 1e-15);
+        EXPECT_NEAR(rates.rate[k], 2 * rates.power[k], 1e-15);
+    }
+}
+
+TEST(MigrationFigures, DrawALineOverThePowerOnlyWhereTheDataCarryOne) {
+    const auto straight = migration_by_power({five_gradients(2, 1e-8)});
+    ASSERT_TRUE(straight);
+    EXPECT_NE(straight->caption.find("mg for each joule"), std::string::npos) << straight->caption;
+    EXPECT_NEAR(straight->table.numbers("line")[4] - straight->table.numbers("line")[0], 8, 0.2); // of 2 kg/J, 4 µW
+    EXPECT_EQ(straight->chart.at("layer").size(), 2U);
+    const auto scattered = migration_by_power({five_gradients(2, 1e-5)});
+    ASSERT_TRUE(scattered);
+    EXPECT_NE(scattered->caption.find("5 gradients carry no line"), std::string::npos) << scattered->caption;
+    EXPECT_TRUE(std::isnan(scattered->table.numbers("line")[0]));
+    EXPECT_EQ(scattered->chart.at("layer").size(), 1U);
+    EXPECT_FALSE(migration_by_power({five_gradients(0, 0)})) << "nothing left";
+}
+
+TEST(MigrationFigures, HaveProfilesBeforeAndAtTheEndOfGradients) {
+    MigrationCurve curve = five_gradients(2, 0);
+    EXPECT_FALSE(migration_profiles({curve}));
+    erosion::SampleProfile& profile = curve.result.sample;
+    profile.slices = 3;
+    profile.step.assign(6, 0.5e-3);
+    profile.porosity.assign(6, {0.3, 0.4, 0.5});
+    profile.fines = profile.porosity;
+    profile.permeability.assign(6, {1e-10, 2e-10, 3e-10});
+    const auto figure = migration_profiles({five_gradients(1, 0), curve});
+    ASSERT_TRUE(figure);
+    EXPECT_EQ(figure->table.rows(), 18U);
+    EXPECT_DOUBLE_EQ(figure->table.numbers("middle")[1], 0.75);
+    EXPECT_DOUBLE_EQ(figure->table.numbers("fines")[2], 50);
+    EXPECT_EQ(figure->table.words("state").front(), "before");
+    EXPECT_EQ(figure->table.words("state").back(), "after i = 0.5");
 }
 
 TEST(MigrationFigures, AreNotDrawnOfNothingNorOfOneGradientAgainstItself) {

@@ -52,8 +52,8 @@ std::vector<figures::Figure> draw_migration(const std::vector<record::FinishedSt
     }
     std::vector<figures::Figure> figures;
     for (auto draw :
-         {figures::migration_by_gradient, figures::migration_in_time, figures::filter_profile, figures::filter_cut,
-          figures::filter_sizes}) {
+         {figures::migration_by_gradient, figures::migration_in_time, figures::migration_by_power,
+          figures::migration_profiles, figures::filter_profile, figures::filter_cut, figures::filter_sizes}) {
         if (std::optional<figures::Figure> figure = draw(curves)) {
             figures.push_back(std::move(*figure));
         }

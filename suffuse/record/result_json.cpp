@@ -229,9 +229,11 @@ void from_json(const nlohmann::json& json, MigrationHold& of) {
 SUFFUSE_MEMBERS(StackCut, width, along, across, radius, is_base)
 SUFFUSE_MEMBERS(BaseSizes, diameter, mass_share, entered, eroded)
 SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, constriction, largest_eroded, before, after, sizes)
-SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, profile, filter)
+SUFFUSE_MEMBERS(SampleProfile, slices, step, porosity, fines, permeability)
+SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, profile, filter, sample)
+SUFFUSE_MEMBERS(PassedThroats, count, narrowest, last)
 SUFFUSE_MEMBERS(
-    MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, where, goes, before
+    MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, passed, where, goes, before
 )
 SUFFUSE_MEMBERS( // but for the world, which is saved as a state
     Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance, solids_mass,

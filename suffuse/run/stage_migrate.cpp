@@ -56,6 +56,24 @@ void write_profile(const std::filesystem::path& folder, const erosion::Migration
     table.finish();
 }
 
+/// profile.csv: a row a slice of one soil, before and at the end of each gradient. Distances are from where the water
+/// enters the cell.
+void write_slices(const std::filesystem::path& folder, const erosion::MigrationResult& result) {
+    const erosion::SampleProfile& profile = result.sample;
+    io::CsvWriter table(folder / "profile.csv", "gradient,from,to,porosity,fines,permeability");
+    for (std::size_t state = 0; state < profile.step.size(); ++state) {
+        const double gradient = state == 0 ? 0 : result.holds[state - 1].gradient, step = profile.step[state];
+        for (std::size_t k = 0; k < profile.slices; ++k) {
+            const double from = static_cast<double>(k) * step;
+            table.row(
+                gradient, from, from + step, profile.porosity[state][k], profile.fines[state][k],
+                profile.permeability[state][k]
+            );
+        }
+    }
+    table.finish();
+}
+
 /// Grains that touch each fine grain which is still there, by ids.
 std::map<std::uint32_t, std::set<std::uint32_t>> find_holders(const dem::World& world) {
     const grains::Grains& grains = world.grains;
@@ -74,15 +92,18 @@ std::map<std::uint32_t, std::set<std::uint32_t>> find_holders(const dem::World& 
 void write_ledger(const std::filesystem::path& folder, const erosion::Migration& migration, const Vec3& direction) {
     const erosion::MigrationLedger& ledger = migration.ledger;
     const auto holders = find_holders(migration.world);
-    io::CsvWriter table(folder / "ledger.csv", "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,fate,holders");
+    io::CsvWriter table(
+        folder / "ledger.csv", "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders"
+    );
     for (std::size_t k = 0; k < ledger.size(); ++k) {
         const auto held_by = holders.find(ledger.id[k]);
         const bool departed = ledger.departed[k] >= 0;
         table.row(
             ledger.id[k], ledger.diameter[k], ledger.mass[k], ledger.start[k], time_field(ledger.departed[k]),
             departed ? fmt::format("{}", ledger.departed_at[k]) : "", time_field(ledger.left[k]), ledger.end[k],
-            dot(ledger.end[k] - ledger.start[k], direction) / norm(direction), name_of(ledger.where[k]),
-            held_by == holders.end() ? "" : fmt::format("{}", fmt::join(held_by->second, " "))
+            dot(ledger.end[k] - ledger.start[k], direction) / norm(direction), ledger.passed[k].count,
+            ledger.passed[k].narrowest > 0 ? fmt::format("{}", ledger.passed[k].narrowest) : "",
+            name_of(ledger.where[k]), held_by == holders.end() ? "" : fmt::format("{}", fmt::join(held_by->second, " "))
         );
     }
     table.finish();
@@ -117,6 +138,8 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
     write_ledger(work.folder, migration, spec.direction);
     if (spec.stack) {
         write_profile(work.folder, migration.result);
+    } else if (migration.result.sample.slices > 0) {
+        write_slices(work.folder, migration.result);
     }
     work.findings.migration = std::move(migration.result);
 }

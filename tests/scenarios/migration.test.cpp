@@ -1,5 +1,6 @@
 // Fines that migrate, through the whole program: what the stage leaves to be read, and a stop in the middle of it.
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/record/folder.hpp"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include "tests/support/run_text.hpp"
 #include <atomic>
 #include <cmath>
+#include <set>
 #include <sstream>
 
 namespace suffuse::test {
@@ -84,7 +86,10 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
                       "eroded_mass_share,moving_mass_share,lodged_mass_share,energy"
     );
     EXPECT_EQ(rows.size() - 1, away.at("flows").get<std::size_t>());
-    EXPECT_EQ(ledger.front(), "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,fate,holders");
+    EXPECT_EQ(ledger.front(), "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders");
+    const std::vector<std::string> slices = lines_of_table(stage / "profile.csv");
+    EXPECT_EQ(slices.front(), "gradient,from,to,porosity,fines,permeability");
+    EXPECT_EQ(slices.size() % 3, 1U) << "before, and at the end of each gradient";
     std::size_t gone = 0, lost = initial.at("grains").get<std::size_t>() - away.at("grains").get<std::size_t>();
     for (const std::string& line : ledger) {
         gone += line.find(",eroded,") != std::string::npos ? 1 : 0;
@@ -93,6 +98,8 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("own-migration-time"), std::string::npos);
     EXPECT_NE(page.find("own-migration"), std::string::npos);
+    EXPECT_NE(page.find("own-migration-power"), std::string::npos);
+    EXPECT_NE(page.find("own-migration-profile"), std::string::npos);
 }
 
 /// A base of a third of its filter's size, above it.
@@ -156,13 +163,12 @@ TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
     }
 }
 
-/// Runs a case at once, and again with a stop at each 40th beat of its stage.
-/// @param tables of the stage, whose texts must be the same
-void expect_same_bits_after_stops(
-    const std::string& what, const std::string& stage, const std::vector<std::string>& tables
+/// Runs a case in pieces: stops it after so many beats of its motion, and at the first beat of each other part of the
+/// stage. @return how often it was stopped
+int run_in_pieces(
+    const std::string& text, const std::string& stage, const std::filesystem::path& folder, int beats_at_most
 ) {
-    const TempFolder straight, broken;
-    run_text(what, straight.path());
+    std::set<std::string> seen;
     int stops = 0;
     for (bool is_over = false; !is_over; ++stops) {
         std::atomic<bool> stop{false};
@@ -171,30 +177,63 @@ void expect_same_bits_after_stops(
         options.progress_interval = 0;
         int beats = 0;
         options.on_progress = [&](const run::Progress& progress) {
-            beats += progress.stage == stage && progress.part == "migrate" ? 1 : 0;
-            stop = stop || beats >= 40;
+            if (progress.stage == stage) {
+                const bool is_new = progress.part != "migrate" && seen.insert(progress.part).second;
+                beats += progress.part == "migrate" ? 1 : 0;
+                stop = stop || is_new || beats >= beats_at_most;
+            }
         };
-        is_over = run_text(what, broken.path(), options).outcome != record::Outcome::Stopped;
-        ASSERT_LT(stops, 200);
+        is_over = run_text(text, folder, options).outcome != record::Outcome::Stopped;
+        if (stops > 200) {
+            ADD_FAILURE() << "it does not get on";
+            break;
+        }
     }
-    EXPECT_GE(stops, 3);
-    for (const std::string& table : tables) {
-        const std::string file = "run/studies/s/" + stage + "/" + table;
-        EXPECT_EQ(text_of(broken.path() / file), text_of(straight.path() / file)) << table;
+    return stops;
+}
+
+void expect_same_stage(
+    const std::filesystem::path& one, const std::filesystem::path& other, const std::string& stage
+) {
+    for (const char* const table : {"migration.csv", "ledger.csv", "profile.csv"}) {
+        const std::filesystem::path file = "run/studies/s/" + stage + "/" + table;
+        EXPECT_EQ(text_of(one / file), text_of(other / file)) << table;
     }
-    json after = stage_of(broken.path(), stage), before = stage_of(straight.path(), stage);
+    const json after = stage_of(one, stage), before = stage_of(other, stage);
     EXPECT_EQ(after.at("state_hash"), before.at("state_hash"));
     EXPECT_EQ(after.value("stack", json()), before.value("stack", json()));
 }
 
 TEST(Migration, GoesOnAfterStopsToTheSameBits) {
-    expect_same_bits_after_stops(reference_constants + gap_graded, "away", {"migration.csv", "ledger.csv"});
+    const TempFolder straight, broken;
+    run_text(reference_constants + gap_graded, straight.path());
+    EXPECT_GE(run_in_pieces(reference_constants + gap_graded, "away", broken.path(), 40), 3);
+    expect_same_stage(broken.path(), straight.path(), "away");
 }
 
 TEST(Migration, OfABaseIntoItsFilterGoesOnAfterStopsToTheSameBits) {
-    expect_same_bits_after_stops(
-        reference_constants + base_on_filter, "flow", {"migration.csv", "ledger.csv", "profile.csv"}
-    );
+    const TempFolder straight, broken;
+    run_text(reference_constants + base_on_filter, straight.path());
+    EXPECT_GE(run_in_pieces(reference_constants + base_on_filter, "flow", broken.path(), 40), 3);
+    expect_same_stage(broken.path(), straight.path(), "flow");
+}
+
+TEST(Migration, WhoseSkeletonMovesGoesOnAfterStopsToTheSameBitsWithOneThreadAndTwo) {
+    std::string text = reference_constants + gap_graded;
+    const std::string held = "exit         = \"1 mm\"\nhold_at_most = \"150 ms\"\n";
+    text.replace(text.find(held), held.size(), "exit = \"1 mm\"\nhold_at_most = \"100 ms\"\nskeleton = \"moves\"\n");
+    const int threads = thread_count();
+    const TempFolder straight, one, two;
+    set_thread_count(1);
+    run_text(text, straight.path());
+    EXPECT_GE(run_in_pieces(text, "away", one.path(), 40), 5) << "fines rest, migrate, and the skeleton moves twice";
+    set_thread_count(2);
+    EXPECT_GE(run_in_pieces(text, "away", two.path(), 60), 5);
+    set_thread_count(threads);
+    expect_same_stage(one.path(), straight.path(), "away");
+    expect_same_stage(two.path(), straight.path(), "away");
+    const json away = stage_of(straight.path(), "away");
+    EXPECT_NE(away.at("holds")[0].at("volumetric_strain"), 0);
 }
 
 } // namespace
