@@ -29,8 +29,9 @@ const MigrationHold& end_of(const FinishedStage& stage) {
     return result_of(stage).holds.back();
 }
 
-bool all_ended(const MigrationResult& result) {
-    return std::ranges::all_of(result.holds, &MigrationHold::ended);
+/// At the last gradient: an earlier hold that was cut bounds its own number alone.
+bool has_ended(const MigrationResult& result) {
+    return result.holds.back().ended;
 }
 
 std::string ratio_text(const FinishedStage& stage) {
@@ -64,7 +65,7 @@ std::string passed_text(const MigrationHold& end) {
 /// "the filter holds: nothing passed, the base came 1.5 mm deep, and motion ended."
 std::string short_answer(const FinishedStage& stage) {
     const MigrationHold& end = end_of(stage);
-    const bool ended = all_ended(result_of(stage));
+    const bool ended = has_ended(result_of(stage));
     return fmt::format(
         "{}: {}, the base came {} deep, and {}.", in_words(judge_filter(result_of(stage))), passed_text(end),
         millimeters(end.depth), ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
@@ -79,7 +80,7 @@ struct FilterDoubt {
 
 void doubt_end(const Stages& stages, std::vector<FilterDoubt>& doubts) {
     const auto cut =
-        std::ranges::find_if(stages, [](const FinishedStage* stage) { return !all_ended(result_of(*stage)); });
+        std::ranges::find_if(stages, [](const FinishedStage* stage) { return !has_ended(result_of(*stage)); });
     if (cut != stages.end()) {
         const MigrationHold& end = end_of(**cut);
         doubts.push_back(
@@ -134,7 +135,7 @@ void doubt_scatter(const Stages& stages, std::vector<FilterDoubt>& doubts) {
 
 std::string hold_text(const MigrationResult& result) {
     const double seconds = result.rows.empty() ? 0 : result.rows.back().time;
-    return short_number(seconds, 2) + (all_ended(result) ? "" : ", cut");
+    return short_number(seconds, 2) + (has_ended(result) ? "" : ", cut");
 }
 
 } // namespace
@@ -144,7 +145,7 @@ FilterVerdict judge_filter(const MigrationResult& result) {
     if (lost > most_lost) {
         return FilterVerdict::LetsPass;
     }
-    if (!all_ended(result)) {
+    if (!has_ended(result)) {
         return FilterVerdict::Undecided;
     }
     return lost > 0 ? FilterVerdict::HoldsAfterLoss : FilterVerdict::Holds;
@@ -202,7 +203,7 @@ std::vector<Headline> filter_headlines(const Stages& stages) {
             break;
         }
         const MigrationHold& end = end_of(*stage);
-        const bool ended = all_ended(result_of(*stage));
+        const bool ended = has_ended(result_of(*stage));
         Headline card{
             percent_text(end.eroded_mass_share), fmt::format("Passed at D15/d85 = {}", ratio_text(*stage)),
             fmt::format(
@@ -222,7 +223,7 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
     }
     figures::PageTable table;
     table.section = "Filter";
-    table.title = "Does the filter hold?";
+    table.title = "Whether the filter holds";
     std::vector<std::string> sentences = filter_verdict(found), doubts = filter_doubts(found);
     doubts.resize(std::min(doubts.size(), doubts_in_note));
     table.note = fmt::format(

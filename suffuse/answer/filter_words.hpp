@@ -12,9 +12,9 @@
 namespace suffuse::answer {
 
 enum class FilterVerdict {
-    Holds,          ///< motion ended at every gradient, and nothing of the base left
-    HoldsAfterLoss, ///< motion ended, and at most `most_lost` left
-    Undecided,      ///< a hold was cut while the base still moved, and no more than that had left
+    Holds,          ///< motion ended at the last gradient, and nothing of the base left
+    HoldsAfterLoss, ///< motion ended there, and at most `most_lost` left
+    Undecided,      ///< that hold was cut while the base still moved, and no more than that had left
     LetsPass        ///< more than that left
 };
 

@@ -23,7 +23,7 @@ struct FilterRun {
         erosion::MigrationResult result;
         result.rows = {{.time = 0.4}};
         result.holds = {
-            {.gradient = 1, .held_for = 0.1, .ended = true},
+            {.gradient = 1, .held_for = 0.1, .ended = false}, // an earlier cut decides nothing
             {.gradient = 5,
              .held_for = 0.3,
              .ended = ended,

@@ -90,7 +90,8 @@ StackCut cut_stack(const dem::World& world, const Stack& stack, const Vec3& dire
             continue;
         }
         const bool is_base = world.grains.fine[g] != 0;
-        const double first = is_base ? stack.face - stack.base_grain : stack.interface - 0.5 * stack.filter_grain;
+        // Of the base, what lies in the rough end of the filter has come the other way: from there it leaves.
+        const double first = is_base ? stack.face - stack.filter_grain : stack.interface - 0.5 * stack.filter_grain;
         cut.along.push_back(moved_into(dot(x, along), first, stack.length) - stack.interface);
         cut.across.push_back(moved_into(dot(x, across.along), 0, across.width));
         cut.radius.push_back(std::sqrt(r * r - off * off));

@@ -122,13 +122,14 @@ std::string draw_cuts(const std::vector<MigrationCurve>& stacks) {
     for (const MigrationCurve& stack : stacks) {
         const BaseProfile& profile = stack.result.profile;
         const StackCut& before = stack.result.filter.before;
-        const double scale = cut_width / before.width; // pixels a meter
-        const double length = static_cast<double>(profile.filter.size()) * profile.step, height = length * scale;
+        const double scale = cut_width / before.width;     // pixels a meter
+        const double first = profile.first - profile.step; // its face is rough, too
+        const double length = static_cast<double>(profile.filter.size() + 1) * profile.step, height = length * scale;
         const double right = cut_left + cut_width + cut_gap;
         out += cut_label(cut_left, y + 16, stack.name);
         out += cut_label(cut_left, y + 36, "before") + cut_label(right, y + 36, "at the end");
-        out += draw_cut(before, profile.first, cut_left, y + cut_head, scale, height);
-        out += draw_cut(stack.result.filter.after, profile.first, right, y + cut_head, scale, height);
+        out += draw_cut(before, first, cut_left, y + cut_head, scale, height);
+        out += draw_cut(stack.result.filter.after, first, right, y + cut_head, scale, height);
         y += cut_head + height + 24;
     }
     const double width = 2 * cut_left + 2 * cut_width + cut_gap;

@@ -53,11 +53,11 @@ TEST(FilterFigures, DrawACircleForEachGrainThatIsCutInItsPlaceAndSize) {
         ++circles;
     }
     EXPECT_EQ(circles, 3U);
-    // 260 pixels are 2 mm; the first begins 16 pixels from the left and 46 from the top, 1 mm before the filter.
-    EXPECT_NE(figure->drawing.find(R"(<circle cx="146.0" cy="111.0" r="13.0" fill="#c8322b"/>)"), std::string::npos)
+    // 260 pixels are 2 mm; the first begins 16 pixels from the left and 46 from the top, 1.5 mm before the filter.
+    EXPECT_NE(figure->drawing.find(R"(<circle cx="146.0" cy="176.0" r="13.0" fill="#c8322b"/>)"), std::string::npos)
         << figure->drawing;
-    EXPECT_NE(figure->drawing.find(R"(<circle cx="81.0" cy="306.0" r="52.0" fill="#b5852f"/>)"), std::string::npos);
-    EXPECT_NE(figure->drawing.find(R"(M16.0 176.0H276.0)"), std::string::npos) << "the interface";
+    EXPECT_NE(figure->drawing.find(R"(<circle cx="81.0" cy="371.0" r="52.0" fill="#b5852f"/>)"), std::string::npos);
+    EXPECT_NE(figure->drawing.find(R"(M16.0 241.0H276.0)"), std::string::npos) << "the interface";
 }
 
 TEST(FilterFigures, HaveTheShareOfEachSizeAndTheControllingConstriction) {

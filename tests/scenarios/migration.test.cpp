@@ -157,7 +157,7 @@ TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
     EXPECT_EQ(profile.front(), "gradient,from,to,base,filter");
     EXPECT_EQ(profile.size() % 2, 1U) << "before and after";
     const std::string page = text_of(folder.path() / "run/report.html");
-    EXPECT_NE(page.find("Does the filter hold?"), std::string::npos);
+    EXPECT_NE(page.find("Whether the filter holds"), std::string::npos);
     for (const char* figure : {"own-filter-profile", "own-filter-cut", "own-filter-sizes"}) {
         EXPECT_NE(page.find(figure), std::string::npos) << figure;
     }
