@@ -83,11 +83,13 @@ void doubt_end(const Stages& stages, std::vector<FilterDoubt>& doubts) {
         std::ranges::find_if(stages, [](const FinishedStage* stage) { return !has_ended(result_of(*stage)); });
     if (cut != stages.end()) {
         const MigrationHold& end = end_of(**cut);
+        const bool is_over = std::get<erosion::MigrateSpec>((*cut)->stage->spec).time_at_most.has_value();
         doubts.push_back(
             {10, fmt::format(
                      "Motion had not ended after {} s: what passed is a lower bound. To hold longer: `--set "
-                     "study.{}.stage.{}.hold_at_most={:.2g}`.",
-                     short_number(end.held_for, 2), (*cut)->study->name, (*cut)->stage->name, 4 * end.held_for
+                     "'study.{}.stage.{}.{}={:.2g} s'`.",
+                     short_number(end.held_for, 2), (*cut)->study->name, (*cut)->stage->name,
+                     is_over ? "time_at_most" : "hold_at_most", 4 * end.held_for
                  )}
         );
     }

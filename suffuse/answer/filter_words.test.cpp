@@ -82,7 +82,9 @@ TEST(FilterWords, NameTheLargestDoubtFirstAndWhatRemovesIt) {
     EXPECT_NE(one[2].find("bears 12 Pa, and not the 20 kPa"), std::string::npos) << one[2];
     run.add(0, false);
     const std::vector<std::string> cut = filter_doubts(filter_stages(run.stages));
-    EXPECT_NE(cut[0].find("`--set study.s.stage.flow.hold_at_most=1.2`"), std::string::npos) << cut[0];
+    EXPECT_NE(cut[0].find("`--set 'study.s.stage.flow.hold_at_most=1.2 s'`"), std::string::npos) << cut[0];
+    std::get<erosion::MigrateSpec>(run.stage.spec).time_at_most = 0.3;
+    EXPECT_NE(filter_doubts(filter_stages(run.stages))[0].find("time_at_most=1.2 s'`"), std::string::npos);
     run.study.replicates = 3;
     FilterRun good;
     good.study.replicates = 3;
