@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/reference.hpp"
 #include "tests/support/temp_folder.hpp"
 #include <cmath>
 #include <fstream>
@@ -164,6 +165,21 @@ TEST(CalibrationCase, ReportsWhatIsWrong) {
     expect("soil = \"sand\"", "soil = \"clay\"", "there is no soil \"clay\"");
     expect("[calibrate]", "[calibrat]", "has no [calibrate]");
     expect("samples = 20", "sampels = 20", "unknown key `sampels`");
+}
+
+TEST(CalibrationCase, ExamplesLoad) {
+    int examples = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(test::in_checkout("examples"))) {
+        if (file.path().extension() == ".toml" && calibrates(file.path().string())) {
+            ++examples;
+            CalibrationCase what;
+            ASSERT_NO_THROW(what = load_calibration(file.path().string())) << file.path();
+            for (const Diagnostic& warning : what.warnings) { // narrow cells, and soft grains at one end of the range
+                EXPECT_TRUE(warning.code == "W602" || warning.code == "W603") << render({warning});
+            }
+        }
+    }
+    EXPECT_GE(examples, 1);
 }
 
 TEST(CalibrationCase, IsCheckedByARunAsWell) {
