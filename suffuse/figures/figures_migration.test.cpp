@@ -76,9 +76,17 @@ TEST(MigrationFigures, DrawALineOverThePowerOnlyWhereTheDataCarryOne) {
     EXPECT_NE(straight->caption.find("mg for each joule"), std::string::npos) << straight->caption;
     EXPECT_NEAR(straight->table.numbers("line")[4] - straight->table.numbers("line")[0], 8, 0.2); // of 2 kg/J, 4 µW
     EXPECT_EQ(straight->chart.at("layer").size(), 2U);
+    MigrationCurve late = five_gradients(2, 1e-8); // nothing leaves below the last two
+    for (std::size_t k = 0; k < 3; ++k) {
+        late.result.holds[k].eroded_mass_share = 0;
+    }
+    const auto of_two = migration_by_power({late});
+    ASSERT_TRUE(of_two);
+    EXPECT_EQ(of_two->table.rows(), 5U);
+    EXPECT_NE(of_two->caption.find("2 gradients with losses carry no line"), std::string::npos) << of_two->caption;
     const auto scattered = migration_by_power({five_gradients(2, 1e-5)});
     ASSERT_TRUE(scattered);
-    EXPECT_NE(scattered->caption.find("5 gradients carry no line"), std::string::npos) << scattered->caption;
+    EXPECT_NE(scattered->caption.find("gradients with losses carry no line"), std::string::npos) << scattered->caption;
     EXPECT_TRUE(std::isnan(scattered->table.numbers("line")[0]));
     EXPECT_EQ(scattered->chart.at("layer").size(), 1U);
     EXPECT_FALSE(migration_by_power({five_gradients(0, 0)})) << "nothing left";

@@ -20,14 +20,26 @@ constexpr double mg = 1e6;    ///< a kg
 
 /// "sand: 3.1 ± 0.4 mg/J (90 %), scatter 0.2 mg/s"
 std::string line_in_words(const std::string& name, const LineFit& fit) {
-    const std::string points = fmt::format("{} gradient{}", fit.points, fit.points == 1 ? "" : "s");
+    const std::string points = fmt::format("{} gradient{} with losses", fit.points, fit.points == 1 ? "" : "s");
     if (!fit.is_carried()) {
-        return fmt::format("{}: {} carry no line", name, points);
+        return fmt::format("{}: {} carr{} no line", name, points, fit.points == 1 ? "ies" : "y");
     }
     return fmt::format(
         "{}: the rate rises by {} ± {} mg for each joule (90 %), and scatters around its line by {} mg/s ({})", name,
         short_number(mg * fit.slope, 2), short_number(mg * fit.half_width, 1), short_number(mg * fit.scatter, 2), points
     );
+}
+
+/// Through the gradients at which something left: below, a threshold decides, and no line goes through it.
+LineFit fit_where_some_left(const RatesByPower& rates) {
+    std::vector<double> power, rate;
+    for (std::size_t k = 0; k < rates.rate.size(); ++k) {
+        if (rates.rate[k] > 0) {
+            power.push_back(rates.power[k]);
+            rate.push_back(rates.rate[k]);
+        }
+    }
+    return fit_line(power, rate);
 }
 
 } // namespace
@@ -61,7 +73,7 @@ std::optional<Figure> migration_by_power(const std::vector<MigrationCurve>& curv
     bool any_line = false;
     for (const MigrationCurve& curve : curves) {
         const RatesByPower rates = rates_by_power(curve.result);
-        const LineFit fit = fit_line(rates.power, rates.rate);
+        const LineFit fit = fit_where_some_left(rates);
         any_line = any_line || fit.is_carried();
         claim.push_back(line_in_words(curve.name, fit));
         for (std::size_t k = 0; k < rates.power.size(); ++k) {
@@ -69,7 +81,9 @@ std::optional<Figure> migration_by_power(const std::vector<MigrationCurve>& curv
             gradient.push_back(rates.gradient[k]);
             power.push_back(micro * rates.power[k]);
             rate.push_back(mg * rates.rate[k]);
-            line.push_back(fit.is_carried() ? mg * (fit.intercept + fit.slope * rates.power[k]) : missing);
+            line.push_back(
+                fit.is_carried() && rates.rate[k] > 0 ? mg * (fit.intercept + fit.slope * rates.power[k]) : missing
+            );
         }
     }
     if (stage.size() < 2 || std::ranges::all_of(rate, [](double each) { return each == 0; })) {
@@ -83,13 +97,14 @@ std::optional<Figure> migration_by_power(const std::vector<MigrationCurve>& curv
     for (const std::string& each : claim) {
         words += (words.empty() ? "" : "; ") + each;
     }
-    figure.caption = as_sentence(words) +
-                     fmt::format(
-                         ". Each point is a gradient: mass that left while it was held, and energy ρ g Q i L that the "
-                         "flow spent, over the time of the hold. A line is drawn through {} points at least, where the "
-                         "90 % interval of its slope excludes 0.",
-                         LineFit::fewest
-                     );
+    figure.caption =
+        as_sentence(words) +
+        fmt::format(
+            ". Each point is a gradient: mass that left while it was held, and energy ρ g Q i L that the "
+            "flow spent, over the time of the hold. A line is drawn through the points with losses, if they are "
+            "{} at least and the 90 % interval of its slope excludes 0.",
+            LineFit::fewest
+        );
     figure.table.add("stage", std::move(stage));
     figure.table.add("gradient", "-", std::move(gradient));
     figure.table.add("power", "µW", std::move(power));
