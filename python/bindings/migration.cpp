@@ -50,6 +50,7 @@ py::dict ledger_of(const erosion::MigrationLedger& ledger) {
     dict["mass"] = column_of(ledger.mass, as_it_is);
     dict["start"] = to_array(ledger.start);
     dict["end"] = to_array(ledger.end);
+    dict["entered"] = times_of(ledger.entered);
     dict["departed"] = times_of(ledger.departed);
     dict["left"] = times_of(ledger.left);
     dict["throats"] = throats;
@@ -80,8 +81,8 @@ py::dict migrate(
     WorldHandle& w, const Numbers& gradients, const Direction& direction, const Direction& down,
     const QuantityOrNone& exit, const std::string& skeleton, const Quantity& hold_at_most, const Quantity& still,
     const Quantity& still_for, const Quantity& softness, const Quantity& with_water, const Quantity& solve_after,
-    const QuantityOrNone& time_at_most, const std::optional<std::int64_t>& steps_at_most, const Quantity& acceleration,
-    const flow::Fluid& fluid, const CallableOrNone& on_progress
+    const QuantityOrNone& feed, const QuantityOrNone& time_at_most, const std::optional<std::int64_t>& steps_at_most,
+    const Quantity& acceleration, const flow::Fluid& fluid, const CallableOrNone& on_progress
 ) {
     const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.migrate", name); };
     const auto value = [&key](const Quantity& given, const char* name) { return value_of(key(name), given, name); };
@@ -96,6 +97,7 @@ py::dict migrate(
     spec.softness = value(softness, "softness");
     spec.with_water = value(with_water, "with_water");
     spec.solve_after = value(solve_after, "solve_after");
+    spec.feed = optional_value_of(key("feed"), feed, "feed");
     spec.time_at_most = optional_value_of(key("time_at_most"), time_at_most, "time_at_most");
     if (steps_at_most) {
         spec.steps_at_most = count_of(key("steps_at_most"), *steps_at_most, "steps_at_most");
@@ -134,8 +136,9 @@ void bind_migration(py::module_& m) {
         py::arg("exit") = py::none(), py::arg("skeleton") = "held", py::arg("hold_at_most") = usual.hold_at_most,
         py::arg("still") = usual.still, py::arg("still_for") = usual.still_for, py::arg("softness") = usual.softness,
         py::arg("with_water") = usual.with_water, py::arg("solve_after") = usual.solve_after,
-        py::arg("time_at_most") = py::none(), py::arg("steps_at_most") = py::none(), py::arg("acceleration") = gravity,
-        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("on_progress") = py::none(),
+        py::arg("feed") = py::none(), py::arg("time_at_most") = py::none(), py::arg("steps_at_most") = py::none(),
+        py::arg("acceleration") = gravity, py::arg_v("fluid", flow::Fluid{}, "Fluid()"),
+        py::arg("on_progress") = py::none(),
         with_keys(
             "Lets the fines travel with the water in true time while the skeleton is held, as a stage that does "
             "\"migrate\"; the grains that leave are removed from the world. Returns a dictionary: the numbers of "
@@ -143,7 +146,7 @@ void bind_migration(py::module_& m) {
             "`eroded_mass_share`, `moving_mass_share`, `lodged_mass_share`, `energy` [J]; and `grains`, arrays of a "
             "row "
             "a fine grain of the world before: `id`, `diameter` [m], `mass` [kg], `start` and `end` (n x 3) [m], "
-            "`departed` and `left` [s], not a number where it never did, `throats` passed between "
+            "`entered` by `feed`, `departed` and `left` [s], not a number where it never did, `throats` passed between "
             "coarse grains and the `narrowest` of them [m] (0: none), and `fate`: stayed, lodged, moving, eroded or "
             "fixed. A call that is interrupted leaves the world as it was.\n"
             "on_progress: called as on_progress(part, steps) ten times a second at most; what it raises ends the work",
@@ -158,6 +161,7 @@ void bind_migration(py::module_& m) {
              {"stage.migrate", "softness"},
              {"stage.migrate", "with_water"},
              {"stage.migrate", "solve_after"},
+             {"stage.migrate", "feed"},
              {"stage.migrate", "time_at_most"},
              {"stage.migrate", "steps_at_most"},
              {"gravity", "acceleration"}}

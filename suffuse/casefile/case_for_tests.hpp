@@ -104,6 +104,7 @@ still_for = "20 ms"
 softness = 1e-4
 with_water = 0.3
 solve_after = 0.1
+feed = "0.5 kg/m^3"
 time_at_most = "1 s"
 steps_at_most = 1_000_000
 [gravity]

@@ -401,6 +401,7 @@ void fields(V& v, erosion::MigrateSpec& s) {
     v.field("softness", s.softness);
     v.field("with_water", s.with_water);
     v.field("solve_after", s.solve_after);
+    v.field("feed", s.feed);
     v.field("time_at_most", s.time_at_most);
     v.field("steps_at_most", s.steps_at_most);
     check_migration(v, s);

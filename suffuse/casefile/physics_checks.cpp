@@ -156,6 +156,19 @@ public:
         check_both_parts(stage, *soil);
     }
 
+    /// Grains that enter have the sizes of the soil's fines, and enter one soil alone.
+    void check_feed(const Stage& stage, const erosion::MigrateSpec& migrate) {
+        const bool is_stack = stack_of(variant_, stage) != nullptr;
+        if (migrate.feed && (is_stack || !variant_.soil)) {
+            context_.problems.error(
+                "E605", stage_place(stage, "feed"),
+                is_stack ? "`feed` lets grains enter a base that is held where the water enters it"
+                         : "`feed` lets fines enter, but the study has no soil whose fines these are",
+                is_stack ? "leave it out" : "give the study a `soil` with `fines`, or leave `feed` out"
+            );
+        }
+    }
+
     /// Of two curves: what the mixture has none of.
     void check_both_parts(const Stage& stage, const grains::Soil& soil) {
         const double content = soil.fines_content;
@@ -404,6 +417,7 @@ struct CheckValues {
             const double highest = *std::ranges::max_element(migrate.gradients);
             checks.check_lift(stage, "gradients", *migrate.gravity, migrate.direction, highest);
         }
+        checks.check_feed(stage, migrate);
     }
 };
 

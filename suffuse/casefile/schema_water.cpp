@@ -211,6 +211,12 @@ std::vector<Key> migrate_rows() {
             "ceased "
             "to go with the water."
         ),
+        quantity(
+            stage, "feed", dimension::density, above_zero,
+            "Mass of fines that each volume of water brings to the face where it enters the cell. Their sizes are "
+            "those "
+            "of the sample's fines. Nothing unless said."
+        ),
         quantity(stage, "time_at_most", dimension::time, above_zero, "Of all holds together; no limit unless said."),
         count(stage, "steps_at_most", from_one, "Time steps of the stage; no limit unless said."),
     };

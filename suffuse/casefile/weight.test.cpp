@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace suffuse::casefile {
 namespace {
 
@@ -77,6 +79,20 @@ TEST(Gravity, LetsFinesMigrateUnderGradientsAboveZeroAndSoftnessThatIsSmall) {
         EXPECT_FALSE(problems.front().is_warning) << wrong;
     }
     EXPECT_FALSE(problems_of(weighed(migrate_stage)).empty()) << "gradients are required";
+}
+
+TEST(Gravity, LetsFinesEnterThatTheSoilHas) {
+    const Case c = load(weighed(migrate_stage + "gradients = [0.1]\nfeed = \"0.5 kg/m^3\"\n"));
+    EXPECT_DOUBLE_EQ(last_spec<erosion::MigrateSpec>(c).feed.value_or(0), 0.5);
+    EXPECT_FALSE(problems_of(weighed(migrate_stage + "gradients = [0.1]\nfeed = \"0 kg/m^3\"\n")).empty());
+    const std::string no_soil = "schema = 1\n" + gravity +
+                                "[[study.one.stage]]\nname = \"packing\"\ndo = \"import\"\npath = \"packing.csv\"\n"
+                                "cell = [\"1 cm\", \"1 cm\", \"1 cm\"]\n" +
+                                migrate_stage + "gradients = [0.1]\nfeed = \"0.5 kg/m^3\"\n";
+    const std::vector<Diagnostic> problems = problems_of(no_soil);
+    EXPECT_TRUE(std::ranges::any_of(problems, [](const Diagnostic& problem) {
+        return problem.code == "E605" && problem.message.find("no soil whose fines these are") != std::string::npos;
+    })) << render(problems);
 }
 
 TEST(Gravity, WarnsOfAFlowThatLiftsTheWholeSoilWhereFinesMigrate) {

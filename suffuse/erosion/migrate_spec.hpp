@@ -29,8 +29,9 @@ struct MigrateSpec {
     double softness = 1e-3;  ///< overlap over radius of two equal fines under the 95 % load [-]
     double with_water =
         0.4; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
-    double solve_after = 0.2;                  ///< the flow, when fines have moved so far [diameters]
-    std::optional<double> time_at_most;        ///< true time of all holds [s]
+    double solve_after = 0.2;           ///< the flow, when fines have moved so far [diameters]
+    std::optional<double> feed;         ///< mass of fines that enter with each volume of water; nothing: none [kg/m3]
+    std::optional<double> time_at_most; ///< true time of all holds [s]
     std::optional<std::int64_t> steps_at_most; ///< of all holds
     std::optional<Gravity> gravity;            ///< of the case
     bool stack = false; ///< fines are a base, coarse grains its filter (stack.hpp): no base grain carries the skeleton,

@@ -29,6 +29,12 @@ void check(const dem::World& world, const MigrateSpec& spec) {
     if (spec.gradients.empty() || wrong != spec.gradients.end()) {
         throw CaseError("gradients: expected at least one, all above 0: each is held until the fines come to rest");
     }
+    if (spec.feed && spec.stack) {
+        throw CaseError(
+            "feed: no grains enter a stack, whose base is held at the face where the water enters; leave it "
+            "out"
+        );
+    }
     const double length = norm(spec.direction);
     if (!(length > 0) || !std::isfinite(length)) {
         throw CaseError("direction: expected three numbers that are finite and not all zero: where the water goes");
@@ -278,6 +284,7 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         migration.solids_mass += mass;
     }
     ledger.end = ledger.before = ledger.start;
+    ledger.entered.assign(ledger.size(), -1);
     ledger.departed.assign(ledger.size(), -1);
     ledger.departed_at.assign(ledger.size(), 0);
     ledger.left.assign(ledger.size(), -1);
@@ -306,6 +313,11 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
     const double left = migration.looked + spec.still_for - migration.time;
     leg.go(migration.time, left);
     leg.enter(migration);
+    if (spec.feed) {
+        migration.fed_mass +=
+            feed_fines(migration.world, migration.ledger, migration.feeding, spec, leg.water(), migration.time);
+        migration.result.rows.back().fed_mass = migration.fed_mass;
+    }
     const bool none_left = find_present(migration.ledger).empty();
     const bool is_due = none_left || migration.time >= (migration.looked + spec.still_for) * nearly_whole;
     if (is_due && end_hold(migration, spec, around)) {

@@ -6,6 +6,7 @@
 // mass and the water's turning (docs/theory/migration.md).
 
 #include "suffuse/dem/world.hpp"
+#include "suffuse/erosion/feeding.hpp"
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/migration_result.hpp"
@@ -33,9 +34,11 @@ struct Migration {
     Stack stack;                ///< where its layers are; none: one soil
     LayerGradients at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
     LayerGradients now;      ///< of the last flow
-    bool rested = true;      ///< each time before the flow, within the time for it
-    bool settles = false;    ///< next the skeleton finds its new equilibrium
-    bool over = false;       ///< all gradients are done, or a budget is
+    Feeding feeding;
+    double fed_mass = 0;  ///< that has entered with the water [kg]
+    bool rested = true;   ///< each time before the flow, within the time for it
+    bool settles = false; ///< next the skeleton finds its new equilibrium
+    bool over = false;    ///< all gradients are done, or a budget is
 };
 
 /// Lets the fines of `sample` come to rest under their weight. @throws CaseError, StateError for a setting or sample

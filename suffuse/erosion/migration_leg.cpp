@@ -3,6 +3,7 @@
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
+#include "suffuse/erosion/planes_across.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,7 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
     const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
     const double flow = specific * water_.permeability() / around.fluid.viscosity;
     power_ = specific * flow * cell::volume(before.world.cell);
+    discharge_ = flow * cell::volume(before.world.cell) / period_along(before.world.cell.h, spec.direction);
     for (std::uint32_t g = 0; g < rate_.size(); ++g) {
         rate_[g] = water_.rate(g);
     }

@@ -35,6 +35,9 @@ public:
     /// Enters what has happened.
     void enter(Migration& migration);
 
+    /// That has gone through the sample [m3].
+    [[nodiscard]] double water() const { return discharge_ * took_; }
+
 private:
     [[nodiscard]] double diameter(std::size_t p) const { return ledger_.diameter[present_[p]]; }
 
@@ -61,6 +64,7 @@ private:
     LayerGradients layers_;            ///< of this flow
     double pull_;                      ///< the gradient of the cell, for a flow of standard gravity [-]
     double power_ = 0;                 ///< of the flow [W]
+    double discharge_ = 0;             ///< [m3/s]
     double burst_time_ = 0, took_ = 0; ///< true [s]
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
     std::vector<double> rate_;         ///< [1/s]

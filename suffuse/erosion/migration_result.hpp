@@ -22,6 +22,7 @@ struct MigrationRow {
     double moving_mass = 0;     ///< [kg]
     double lodged_mass = 0;     ///< that left its place and rests in another [kg]
     double energy = 0;          ///< spent by the flow so far, integral of rho g Q i L dt [J]
+    double fed_mass = 0;        ///< that has entered with the water so far [kg]
 };
 
 /// What became of a gradient.
@@ -122,6 +123,7 @@ struct MigrationLedger {
     std::vector<std::uint32_t> id;
     std::vector<double> diameter, mass; ///< [m], [kg]
     std::vector<Vec3> start, end;       ///< where it rested before the flow, and where it is, or was last [m]
+    std::vector<double> entered;        ///< time at which it entered with the water; negative: was there [s]
     std::vector<double> to_exit;        ///< along the flow from its start [m]
     std::vector<double> departed;       ///< time at which it was half a diameter from its start; negative: never [s]
     std::vector<double> departed_at;    ///< the gradient then [-]

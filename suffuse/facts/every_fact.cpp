@@ -289,6 +289,7 @@ const std::vector<Fact> of_migrate = {
     {"lodged_mass_share", "-", "of the fines' mass before: moved by half a diameter, and rests elsewhere", ""},
     {"moving_mass_share", "-", "of that mass: was moving when the stage ended", ""},
     {"fixed_mass_share", "-", "of that mass: carries the skeleton's forces, and was held", ""},
+    {"fed_mass_share", "-", "mass that entered with the water by `feed` / mass of the fines before", ""},
     {"permeability_before", "m2", "along the flow, with all fines at rest", ""},
     {"permeability_after", "m2", "of the last solution, among grains that do not go with the water", ""},
     {"seconds", "s", "of the soil's own time, over all gradients", ""},

@@ -215,7 +215,7 @@ SUFFUSE_MEMBERS(LayerGradients, base, filter)
 SUFFUSE_MEMBERS(BaseProfile, first, step, filter, base)
 SUFFUSE_MEMBERS(
     MigrationRow, time, gradient, sample_gradient, base_gradient, filter_gradient, permeability, eroded_mass,
-    moving_mass, lodged_mass, energy
+    moving_mass, lodged_mass, energy, fed_mass
 )
 
 void to_json(nlohmann::json& json, const MigrationHold& of) {
@@ -233,11 +233,13 @@ SUFFUSE_MEMBERS(SampleProfile, slices, step, porosity, fines, permeability)
 SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, profile, filter, sample)
 SUFFUSE_MEMBERS(PassedThroats, count, narrowest, last)
 SUFFUSE_MEMBERS(
-    MigrationLedger, id, diameter, mass, start, end, to_exit, departed, departed_at, left, passed, where, goes, before
+    MigrationLedger, id, diameter, mass, start, end, entered, to_exit, departed, departed_at, left, passed, where, goes,
+    before
 )
+SUFFUSE_MEMBERS(Feeding, waiting, drawn)
 SUFFUSE_MEMBERS( // but for the world, which is saved as a state
     Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance, solids_mass,
-    stress, stack, at_first, now, rested, settles, over
+    stress, stack, at_first, now, feeding, fed_mass, rested, settles, over
 )
 } // namespace erosion
 

@@ -127,6 +127,7 @@ SUFFUSE_AS_JSON(SampleProfile)
 SUFFUSE_AS_JSON(MigrationRow)
 SUFFUSE_AS_JSON(MigrationHold)
 SUFFUSE_AS_JSON(MigrationResult)
+SUFFUSE_AS_JSON(Feeding)
 SUFFUSE_AS_JSON(Migration)
 } // namespace erosion
 

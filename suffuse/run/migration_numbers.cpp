@@ -42,14 +42,17 @@ nlohmann::json migration_numbers(const erosion::Migration& migration) {
     using erosion::Whereabouts;
     const erosion::MigrationResult& result = migration.result;
     const double eroded = erosion::eroded_mass(migration.ledger);
+    const double more = (result.fines_mass + migration.fed_mass) / result.fines_mass; // in the ledger
+    const auto of_fines = [&](Whereabouts where) { return more * erosion::mass_share(migration.ledger, where); };
     nlohmann::json numbers{
         {"model", model_name(true)},
         {"eroded_mass_share", eroded / result.fines_mass},
         {"eroded_share_of_fines", eroded / result.fines_mass},
         {"eroded_share_of_solids", eroded / migration.solids_mass},
-        {"lodged_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Lodged)},
-        {"moving_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Moving)},
-        {"fixed_mass_share", erosion::mass_share(migration.ledger, Whereabouts::Fixed)},
+        {"lodged_mass_share", of_fines(Whereabouts::Lodged)},
+        {"moving_mass_share", of_fines(Whereabouts::Moving)},
+        {"fixed_mass_share", of_fines(Whereabouts::Fixed)},
+        {"fed_mass_share", migration.fed_mass / result.fines_mass},
         {"permeability_before", result.rows.front().permeability},
         {"permeability_after", result.rows.back().permeability},
         {"seconds", migration.time},
@@ -90,6 +93,13 @@ std::vector<std::string> migration_remarks(const erosion::Migration& migration, 
         remarks.push_back(fmt::format(
             "after i = {:.3g} the skeleton does not carry its stresses any more, which ends the stage",
             holds.back().gradient
+        ));
+    }
+    if (migration.feeding.waiting > *std::ranges::max_element(migration.ledger.mass)) {
+        remarks.push_back(fmt::format(
+            "{:.2g} kg of fines that the water brought had not entered when the stage ended: the face where it enters "
+            "had no free place for them; a lower `feed` does not block it",
+            migration.feeding.waiting
         ));
     }
     if (!migration.rested) {

@@ -29,13 +29,13 @@ void write_rows(const std::filesystem::path& folder, const erosion::MigrationRes
     io::CsvWriter table(
         folder / "migration.csv",
         "time,gradient,sample_gradient,base_gradient,filter_gradient,permeability,eroded_mass,eroded_mass_share,"
-        "moving_mass_share,lodged_mass_share,energy"
+        "moving_mass_share,lodged_mass_share,energy,fed_mass"
     );
     for (const erosion::MigrationRow& row : result.rows) {
         table.row(
             row.time, row.gradient, row.sample_gradient, row.base_gradient, row.filter_gradient, row.permeability,
             row.eroded_mass, row.eroded_mass / result.fines_mass, row.moving_mass / result.fines_mass,
-            row.lodged_mass / result.fines_mass, row.energy
+            row.lodged_mass / result.fines_mass, row.energy, row.fed_mass
         );
     }
     table.finish();
@@ -93,14 +93,16 @@ void write_ledger(const std::filesystem::path& folder, const erosion::Migration&
     const erosion::MigrationLedger& ledger = migration.ledger;
     const auto holders = find_holders(migration.world);
     io::CsvWriter table(
-        folder / "ledger.csv", "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders"
+        folder / "ledger.csv",
+        "id,d,mass,entered,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders"
     );
     for (std::size_t k = 0; k < ledger.size(); ++k) {
         const auto held_by = holders.find(ledger.id[k]);
         const bool departed = ledger.departed[k] >= 0;
         table.row(
-            ledger.id[k], ledger.diameter[k], ledger.mass[k], ledger.start[k], time_field(ledger.departed[k]),
-            departed ? fmt::format("{}", ledger.departed_at[k]) : "", time_field(ledger.left[k]), ledger.end[k],
+            ledger.id[k], ledger.diameter[k], ledger.mass[k], time_field(ledger.entered[k]), ledger.start[k],
+            time_field(ledger.departed[k]), departed ? fmt::format("{}", ledger.departed_at[k]) : "",
+            time_field(ledger.left[k]), ledger.end[k],
             dot(ledger.end[k] - ledger.start[k], direction) / norm(direction), ledger.passed[k].count,
             ledger.passed[k].narrowest > 0 ? fmt::format("{}", ledger.passed[k].narrowest) : "",
             name_of(ledger.where[k]), held_by == holders.end() ? "" : fmt::format("{}", fmt::join(held_by->second, " "))

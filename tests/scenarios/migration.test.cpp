@@ -83,10 +83,12 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
                                    ledger = lines_of_table(stage / "ledger.csv");
     EXPECT_EQ(
         rows.front(), "time,gradient,sample_gradient,base_gradient,filter_gradient,permeability,eroded_mass,"
-                      "eroded_mass_share,moving_mass_share,lodged_mass_share,energy"
+                      "eroded_mass_share,moving_mass_share,lodged_mass_share,energy,fed_mass"
     );
     EXPECT_EQ(rows.size() - 1, away.at("flows").get<std::size_t>());
-    EXPECT_EQ(ledger.front(), "id,d,mass,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders");
+    EXPECT_EQ(
+        ledger.front(), "id,d,mass,entered,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders"
+    );
     const std::vector<std::string> slices = lines_of_table(stage / "profile.csv");
     EXPECT_EQ(slices.front(), "gradient,from,to,porosity,fines,permeability");
     EXPECT_EQ(slices.size() % 3, 1U) << "before, and at the end of each gradient";
@@ -192,9 +194,7 @@ int run_in_pieces(
     return stops;
 }
 
-void expect_same_stage(
-    const std::filesystem::path& one, const std::filesystem::path& other, const std::string& stage
-) {
+void expect_same_stage(const std::filesystem::path& one, const std::filesystem::path& other, const std::string& stage) {
     for (const char* const table : {"migration.csv", "ledger.csv", "profile.csv"}) {
         const std::filesystem::path file = "run/studies/s/" + stage + "/" + table;
         EXPECT_EQ(text_of(one / file), text_of(other / file)) << table;
@@ -204,11 +204,14 @@ void expect_same_stage(
     EXPECT_EQ(after.value("stack", json()), before.value("stack", json()));
 }
 
-TEST(Migration, GoesOnAfterStopsToTheSameBits) {
+TEST(Migration, GoesOnAfterStopsToTheSameBitsAlsoWhereFinesEnter) {
+    std::string text = reference_constants + gap_graded;
+    text.replace(text.find("exit         ="), 0, "feed = \"10 kg/m^3\"\n");
     const TempFolder straight, broken;
-    run_text(reference_constants + gap_graded, straight.path());
-    EXPECT_GE(run_in_pieces(reference_constants + gap_graded, "away", broken.path(), 40), 3);
+    run_text(text, straight.path());
+    EXPECT_GE(run_in_pieces(text, "away", broken.path(), 40), 3);
     expect_same_stage(broken.path(), straight.path(), "away");
+    EXPECT_GT(stage_of(straight.path(), "away").at("fed_mass_share"), 0);
 }
 
 TEST(Migration, OfABaseIntoItsFilterGoesOnAfterStopsToTheSameBits) {
