@@ -1,16 +1,14 @@
 #include "suffuse/casefile/physics_checks.hpp"
 
 #include "suffuse/base/constants.hpp"
+#include "suffuse/casefile/fines_checks.hpp"
 #include "suffuse/casefile/sample_checks.hpp"
 #include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
-#include "suffuse/casefile/weight_words.hpp"
 #include "suffuse/casefile/wide_checks.hpp"
 #include "suffuse/contact/springs.hpp"
 #include "suffuse/erosion/heave.hpp"
-#include "suffuse/grains/grading.hpp"
-#include "suffuse/grains/sampling.hpp"
 
 #include <fmt/format.h>
 
@@ -120,108 +118,10 @@ public:
         return erosion::heave_gradient(critical, gravity, direction);
     }
 
-    /// Erosion without fines cannot do anything.
     void check_fines(const Stage& stage) {
-        const auto& soil = variant_.soil;
-        const Place place = stage_place(stage, "do");
-        if (stack_of(variant_, stage) != nullptr) {
-            return; // the first layer is fine
-        }
-        if (!soil) {
-            context_.problems.error(
-                "E605", place, fmt::format("stage \"{}\" needs to know which grains are fine", stage.name),
-                "give the study a `soil` whose `fines` has `finer_than`"
-            );
-            return;
-        }
-        const bool has_split = soil->finer_than || soil->kenney_lau || (soil->fines && soil->coarse);
-        if (!has_split && soil->whole) {
-            context_.problems.error(
-                "E605", place, fmt::format("stage \"{}\" erodes a soil without fines", stage.name),
-                "give the soil fines = { finer_than = \"0.26 mm\" }"
-            );
-            return;
-        }
-        const bool imports = std::any_of(variant_.stages.begin(), variant_.stages.end(), [](const Stage& other) {
-            return traits_of(other).origin == Origin::File;
+        casefile::check_fines(context_, variant_, stage, soil_, [&](std::string_view key) {
+            return stage_place(stage, key);
         });
-        if (imports && soil->whole) { // of two curves that overlap the packing itself may name its fines
-            try {
-                grains::fines_limit(*soil);
-            } catch (const CaseError& problem) {
-                context_.problems.error("E605", place, problem.what(), "suffuse explain E605");
-                return;
-            }
-        }
-        check_both_parts(stage, *soil);
-    }
-
-    /// Grains that enter have the sizes of the soil's fines, and enter one soil alone.
-    void check_feed(const Stage& stage, const erosion::MigrateSpec& migrate) {
-        const bool is_stack = stack_of(variant_, stage) != nullptr;
-        if (migrate.feed && (is_stack || !variant_.soil)) {
-            context_.problems.error(
-                "E605", stage_place(stage, "feed"),
-                is_stack ? "`feed` lets grains enter a base that is held where the water enters it"
-                         : "`feed` lets fines enter, but the study has no soil whose fines these are",
-                is_stack ? "leave it out" : "give the study a `soil` with `fines`, or leave `feed` out"
-            );
-        }
-    }
-
-    /// Of two curves: what the mixture has none of.
-    void check_both_parts(const Stage& stage, const grains::Soil& soil) {
-        const double content = soil.fines_content;
-        if (!soil.coarse || !soil.fines || (content > 0 && content < 1)) {
-            return;
-        }
-        if (!weighs_fines(stage)) {
-            context_.problems.warning(
-                "W605", stage_place(stage, "do"),
-                fmt::format(
-                    "stage \"{}\" erodes a soil of which {} is fine", stage.name,
-                    content <= 0 ? "nothing" : "everything"
-                ),
-                "nothing can leave, or no skeleton remains"
-            );
-            return;
-        }
-        const auto swept = variant_.values.find("soil");
-        const auto* name = swept == variant_.values.end() ? nullptr : std::get_if<std::string>(&swept->second);
-        const auto found = context_.places.find(fmt::format("soil.{}.fines_content", name ? *name : soil_));
-        context_.problems.error(
-            "E605", found == context_.places.end() ? stage_place(stage, "do") : found->second,
-            fmt::format(
-                "stage \"{}\" of {} finds which fines move against their weight, but with `fines_content` = {:.4g} % "
-                "the soil has no {}",
-                stage.name, variant_.folder, 100 * content, content <= 0 ? "fines" : "coarse grains"
-            ),
-            fmt::format(
-                "take a value between 0 and 100 %{}",
-                variant_.values.empty() ? "" : "; or list in `only` of the stage the swept values that it is to run for"
-            )
-        );
-    }
-
-    /// A stage that takes all fines out leaves none whose weight could be requested.
-    void check_fines_left(const Stage& stage) {
-        for (int k = stage.parent; k >= 0; k = variant_.stages[static_cast<std::size_t>(k)].parent) {
-            const Stage& before = variant_.stages[static_cast<std::size_t>(k)];
-            const auto* removal = std::get_if<erosion::RemoveSpec>(&before.spec);
-            if (removal == nullptr || removal->grains != erosion::RemovedFines::All || removal->share < 1) {
-                continue;
-            }
-            context_.problems.error(
-                "E605", stage_place(stage, "do"),
-                fmt::format(
-                    "stage \"{}\" finds which fines move against their weight, but stage \"{}\" before it removes all "
-                    "fines",
-                    stage.name, before.name
-                ),
-                "start from a stage before it, by `from`; or give the removal a `share` below 100 %"
-            );
-            return;
-        }
     }
 
     /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
@@ -417,18 +317,12 @@ struct CheckValues {
             const double highest = *std::ranges::max_element(migrate.gradients);
             checks.check_lift(stage, "gradients", *migrate.gravity, migrate.direction, highest);
         }
-        checks.check_feed(stage, migrate);
     }
 };
 
 void check_stage(Checks& checks, const Stage& stage) {
     std::visit(CheckValues{checks, stage}, stage.spec);
-    if (traits_of(stage).needs_fines_rule) {
-        checks.check_fines(stage);
-    }
-    if (weighs_fines(stage)) {
-        checks.check_fines_left(stage);
-    }
+    checks.check_fines(stage);
     checks.check_fluid(stage);
     checks.check_start(stage);
     checks.check_stack(stage);
