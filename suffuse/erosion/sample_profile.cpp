@@ -67,7 +67,8 @@ std::vector<double> head_shares(const flow::Seepage& seepage, const Vec3& direct
         }
         const double spent = flux * flux / seepage.conductance[t];
         const auto [a, b] = pores::centers_around(seepage.network, t);
-        const auto [low, high] = std::minmax({dot(a, along), dot(b, along)});
+        const double from_a = dot(a, along), from_b = dot(b, along);
+        const double low = std::min(from_a, from_b), high = std::max(from_a, from_b);
         const double shortest = 1e-9 * step, extent = high - low;
         visit_slices(low, high, step, count, [&](std::size_t k, double from, double to) {
             const double inside = std::min(high, to) - std::max(low, from);
