@@ -335,6 +335,19 @@ TEST_F(Damaged, FiguresThatAReportHasNotAnyMoreGoAndThoseOfTheUserStayUnsigned) 
     EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
 }
 
+TEST_F(Damaged, WhatTasksSayAndHiddenFoldersAreNotSignedForTheyGoOnChanging) {
+    for (const char* const name : {"tasks", ".snakemake"}) {
+        fs::create_directories(folder / "here" / name);
+        write_to(folder / "here" / name / "gather.txt", "half of it\n");
+    }
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
+    write_to(folder / "here/tasks/gather.txt", "half of it\nand the rest\n");
+    write_to(folder / "here/.snakemake/gather.txt", "");
+    const ProgramResult verified = run_suffuse({"verify", "here"});
+    EXPECT_EQ(verified.code, 0) << verified.out;
+    EXPECT_EQ(verified.out.find("gather.txt"), std::string::npos) << verified.out;
+}
+
 TEST_F(Damaged, AKillBeforeTheRemovalOfPartialH5LeavesNoneForGood) {
     fs::copy_file(stage("settled") / "state.h5", stage("settled") / "partial.h5");
     fs::remove(folder / "here/SHA256SUMS"); // the run had not ended

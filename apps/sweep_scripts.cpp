@@ -4,6 +4,7 @@
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/io/folders.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include <fmt/format.h>
 
@@ -88,7 +89,7 @@ std::string plain_name(std::string name) {
 
 /// The log below tasks/; in Slurm's names % begins a pattern, and %% stands for one.
 std::string log_name(const TaskRequest& request, const std::string& name) {
-    std::string folder = (request.folder / "tasks").string();
+    std::string folder = (request.folder / record::tasks_folder).string();
     if (request.engine->log.starts_with('%')) {
         for (std::size_t at = folder.find('%'); at != std::string::npos; at = folder.find('%', at + 2)) {
             folder.insert(at, 1, '%');
@@ -232,7 +233,7 @@ void remove_earlier(const fs::path& folder) {
                     return file.extension() == fs::path(engine.file).extension();
                 }));
     });
-    take(folder / "tasks", [](const fs::path& file) { return file.extension() == ".done"; });
+    take(folder / record::tasks_folder, [](const fs::path& file) { return file.extension() == ".done"; });
     for (const fs::path& file : earlier) {
         io::remove_file(file);
     }
@@ -248,7 +249,7 @@ std::string command_of(const Engine& engine, const fs::path& folder) {
 
 void write_scripts(const std::vector<Task>& tasks, std::size_t samples, const TaskRequest& request) {
     const Engine& engine = *request.engine;
-    io::make_folders(request.folder / "tasks");
+    io::make_folders(request.folder / record::tasks_folder);
     remove_earlier(request.folder);
     std::string lines;
     for (const Task& task : tasks) {

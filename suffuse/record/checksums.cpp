@@ -36,11 +36,13 @@ constexpr std::array<std::string_view, 5> inputs = {
 /// Files of the results below the folder, by name.
 std::set<std::string> list_results(const fs::path& run) {
     std::set<std::string> names;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(run)) {
-        const std::string name = entry.path().filename();
+    for (auto entry = fs::recursive_directory_iterator(run); entry != fs::recursive_directory_iterator(); ++entry) {
+        const std::string name = entry->path().filename();
         const bool is_result = name.front() != '.' && !io::is_partial(name) && std::ranges::count(changing, name) == 0;
-        if (entry.is_regular_file() && is_result) {
-            names.insert(entry.path().lexically_relative(run).string());
+        if (entry->is_directory() && (!is_result || entry->path() == run / tasks_folder)) {
+            entry.disable_recursion_pending();
+        } else if (entry->is_regular_file() && is_result) {
+            names.insert(entry->path().lexically_relative(run).string());
         }
     }
     names.erase(checksums_file);

@@ -1,7 +1,7 @@
 #pragma once
 // SHA256SUMS of a run folder: every file of the results, and what became of them. What the stages left has the
 // checksums that it got when its stage ended, so that nothing damaged is ever signed. What goes on changing is left
-// out: the log of events, the progress, the working files of stages under way.
+// out: the log of events, the progress, what tasks say, the working files of stages under way, hidden files.
 
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/sums.hpp"

@@ -59,6 +59,9 @@ inline constexpr const char* failure_file = "failed.json";
 /// A stage that is under way, or was stopped: its state, and what its verb needs to go on.
 inline constexpr const char* partial_file = "partial.h5";
 
+/// What the tasks of a sweep said, and the one that gathered them, which goes on saying it when all else is done.
+inline constexpr const char* tasks_folder = "tasks";
+
 void keep_failure(const std::filesystem::path& run, const FailedSample& failure);
 
 /// The failures that the folder holds, in the order of the samples.

@@ -32,7 +32,7 @@ EOT
 hashes() { (cd "$1/studies" && find . -name stage.json -exec grep -H '"state_hash"' {} + | sort); }
 same() {
     hashes "$1" >"$1.txt"
-    [ "$(wc -l <whole.txt)" -eq 12 ] && diff whole.txt "$1.txt" && [ -e "$1/report.html" ]
+    [ "$(wc -l <whole.txt)" -eq 12 ] && diff whole.txt "$1.txt" && [ -e "$1/report.html" ] && "$program" verify "$1"
 }
 attended "$program" run case.toml -o whole --no-cache --quiet
 hashes whole >whole.txt

@@ -106,4 +106,5 @@ grep -q '4 of 4 samples done' array/tasks/gather.txt || fails "not all was gathe
 hashes whole >whole.txt
 hashes array >array.txt
 [ "$(wc -l <whole.txt)" -eq 12 ] && diff whole.txt array.txt
+"$program" verify array
 [ -e array/report.html ] && echo "two arrays of Slurm $(sinfo --version | cut -d ' ' -f 2), with tasks put back: 12 stages, the same bits, one report"
