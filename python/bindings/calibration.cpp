@@ -8,6 +8,8 @@
 #include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
+#include "suffuse/job/verify_calibration.hpp"
+#include "suffuse/record/folder.hpp"
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/listener.hpp"
@@ -61,13 +63,18 @@ py::tuple calibrate(
     listen_while(mailbox, listener, [&] {
         const job::FolderLock lock(folder, warn);
         const Stopwatch watch;
+        io::remove_file(folder / record::checksums_file); // true no more
         const auto run = [&](const job::CalibrationRound& round) {
             options.time_limit = limit - watch.seconds();
             return run_round(round, options);
         };
         result = job::calibrate(what, {folder, run});
+        record::keep_provenance(folder, job::first_round(what), options.command, watch.seconds());
         if (!result.parameters.empty()) {
             job::write_calibration(folder, what, result);
+        }
+        if (result.is_complete) {
+            job::write_calibration_sums(folder);
         }
     });
     listener.raise_what_was_raised();
@@ -83,6 +90,10 @@ void bind_calibration(py::module_& m) {
         "calibrate", &calibrate, py::arg("case"), py::arg("overrides"), py::arg("wanted"), py::arg("time_limit"),
         py::arg("on_progress"), py::arg("cache")
     );
+    m.def("verify_calibration", [](const fs::path& folder) {
+        const nlohmann::json found = job::verify_calibration(folder);
+        return to_python(found);
+    });
 }
 
 } // namespace suffuse::python

@@ -62,6 +62,11 @@ class Calibration(dict):
 
         return [{key: written(key, rows[k * len(rows) // count][key]) for key in self.parameters} for k in range(count)]
 
+    def verify(self):
+        """Whether all files are as they were when the calibration ended: damages, files, states, came_later. Raises IoError
+        where it has not ended."""
+        return _core.verify_calibration(self.folder)
+
     def __str__(self):
         lines = [f"{'parameter':28s} {'mean':>10s}   90 % interval"]
         for key, found in self.parameters.items():

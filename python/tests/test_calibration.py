@@ -43,6 +43,8 @@ def case(tmp_path):
 def test_undrained_and_oedometer_tests_give_parameters_and_a_stopped_one_goes_on(case, tmp_path):
     with pytest.raises(suffuse.Interrupted, match="goes on"):
         suffuse.calibrate(case, tmp_path / "part", time_limit="1 ms")
+    with pytest.raises(suffuse.IoError, match="has not ended"):
+        suffuse.Calibration(tmp_path / "part", {"complete": False}).verify()
     heard = []
     found = suffuse.calibrate(case, tmp_path / "part", on_progress=heard.append)
     assert heard and {letter["verb"] for letter in heard} >= {"compact"}
@@ -70,6 +72,10 @@ def test_undrained_and_oedometer_tests_give_parameters_and_a_stopped_one_goes_on
 
     again = suffuse.calibrate(case, tmp_path / "part")  # all of it is there
     assert again == found
+    assert again.verify()["damages"] == [] and again.verify()["states"] > 0
+    with open(tmp_path / "part" / "posterior.csv", "a") as table:
+        table.write("\n")
+    assert [damage["file"] for damage in again.verify()["damages"]] == ["posterior.csv"]
 
 
 def test_what_is_wrong_leaves_no_folder(case, tmp_path):
