@@ -26,7 +26,7 @@ psd = { d = ["0.13 mm", "0.14 mm", "0.15 mm"], passing = ["0 %", "50 %", "100 %"
 [calibrate]
 soil = "sand"
 particles = 120
-samples = 12
+samples = 16
 targets = [{ name = "t", file = "t.csv", pressure = "100 kPa", strain = 0.01, contraction = "positive", void_ratio_tolerance = 0.03 }]
 unknowns = { "contact.modulus" = ["100 MPa", "1 GPa", "log"], "contact.friction" = ["20 deg", "40 deg"], void_ratio = [0.6, 0.75] }
 )";
@@ -93,7 +93,7 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     ASSERT_EQ(whole.code, 0) << whole.error;
     const nlohmann::json answer = whole.json();
     EXPECT_TRUE(answer.at("complete"));
-    EXPECT_EQ(answer.at("rounds").at(0).at("designs"), 8);
+    EXPECT_EQ(answer.at("rounds").at(0).at("designs"), 12);
     for (const auto& [key, parameter] : answer.at("parameters").items()) {
         EXPECT_LE(parameter.at("low"), parameter.at("high")) << key;
         EXPECT_GE(parameter.at("low"), parameter.at("range").at(0)) << key;
@@ -131,8 +131,8 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
 TEST_F(CalibrateVerb, ShowsItsPriceAndRunsNothing) {
     const ProgramResult plan = run_suffuse({"calibrate", "case.toml", "--plan", "--json"});
     ASSERT_EQ(plan.code, 0) << plan.error;
-    EXPECT_EQ(plan.json().at("samples"), 12);
-    EXPECT_EQ(plan.json().at("first_round").at("studies"), 8);
+    EXPECT_EQ(plan.json().at("samples"), 16);
+    EXPECT_EQ(plan.json().at("first_round").at("studies"), 12);
     EXPECT_FALSE(std::filesystem::exists(folder / "runs"));
 }
 
@@ -145,7 +145,7 @@ TEST_F(CalibrateVerb, IsCheckedAndPricedAsAnyCase) {
     EXPECT_EQ(checked.json().at("problems")[0].at("code"), "W602");
     EXPECT_EQ(checked.json().at("problems")[0].at("line"), 14) << "where the case has its particles";
     EXPECT_EQ(run_suffuse({"check", "case.toml", "--set", "calibrate.samples=none"}).code, 3);
-    EXPECT_EQ(run_suffuse({"plan", "case.toml", "--json"}).json().at("samples"), 12);
+    EXPECT_EQ(run_suffuse({"plan", "case.toml", "--json"}).json().at("samples"), 16);
     std::filesystem::remove(folder / "t.csv");
     EXPECT_NE(run_suffuse({"check", "case.toml"}).code, 0) << "its data are part of it";
 }

@@ -23,6 +23,7 @@ constexpr int rounds_after_first = 2;
 constexpr double spread_of_designs = 0.5; // share of the log likelihood that counts where the next samples are sought
 constexpr int held_out_samples = 8;
 constexpr int designs_for_repeated = 8; // of so many of the first round one is simulated again, with other grains
+constexpr int may_fail = 4;             // of a first round, however small
 constexpr int samples_of_answer = 2000, samples_of_search = 500; // of the posterior
 
 struct Design {
@@ -70,8 +71,9 @@ samples_of(const casefile::CalibrationCase& what, const std::vector<Design>& des
     return samples;
 }
 
+/// Half of them, and so many that a few may fail.
 int designs_of_first(const casefile::CalibrateSpec& spec) {
-    return std::max(least_successes, (spec.samples + 1) / 2);
+    return std::min(spec.samples, std::max(least_successes + may_fail, (spec.samples + 1) / 2));
 }
 
 /// Even over the allowed part of the ranges. The last ones repeat some of the others: they differ by their grains

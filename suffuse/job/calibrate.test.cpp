@@ -197,6 +197,16 @@ TEST_F(Calibrate, SaysWhatIsWrongWhereTooFewSamplesSucceed) {
     }
 }
 
+TEST_F(Calibrate, AnswersThoughAFewOfAFirstRoundFail) {
+    std::string text = two_pressures;
+    text.replace(text.find("40"), 2, "14");                // samples
+    fails = [this](const Law&) { return simulated <= 8; }; // four designs of both targets
+    const CalibrationResult result = calibrated(load(text, record_of({100e3, 400e3, 200e3}, true)));
+    EXPECT_TRUE(result.is_complete);
+    EXPECT_EQ(result.rounds.front().designs, 12);
+    EXPECT_EQ(result.rounds.front().failed, 8);
+}
+
 TEST_F(Calibrate, NamesWhatItsDataDoNotIdentifyAndWhatWould) {
     const std::string text = head + R"(targets = [{ file = "t.csv", pressure = "100 kPa" }]
 unknowns = { )" + contact_unknowns +

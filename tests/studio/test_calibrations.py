@@ -18,7 +18,7 @@ psd = { d = ["0.13 mm", "0.14 mm", "0.15 mm"], passing = ["0 %", "50 %", "100 %"
 [calibrate]
 soil = "sand"
 particles = 120
-samples = 12
+samples = 16
 [[calibrate.targets]]
 name = "t"
 file = "data/t.csv"
@@ -65,7 +65,7 @@ class Calibrations(InAFolder):
         studio = self.studio()
         self.assertEqual(json.loads(studio.post("/api/check", case()).text)["result"]["problems"][0]["code"], "W602")
         plan = json.loads(studio.post("/api/plan", case()).text)["result"]
-        self.assertEqual((plan["samples"], plan["first_round"]["studies"]), (12, 8))
+        self.assertEqual((plan["samples"], plan["first_round"]["studies"]), (16, 12))
         for wrong, line in (("rolling_frictoin = 0.2", 9), ('"contact.frictoin" = ["20 deg", "40 deg"]', 25), ('pressure = "100 kg"', 19)):
             right = {9: "rolling_friction = 0.2", 25: '"contact.friction" = ["20 deg", "40 deg"]', 19: 'pressure = "100 kPa"'}[line]
             answer = studio.post("/api/check", case(CASE.replace(right, wrong)))
@@ -80,7 +80,7 @@ class Calibrations(InAFolder):
         run = self.ended(studio, name)
         self.assertEqual(run["events"][-1]["outcome"], "done")
         rounds = run["calibration"]["rounds"]
-        self.assertEqual((rounds[0]["name"], rounds[0]["stages"], rounds[0]["done"]), ("round-1", 24, 24))
+        self.assertEqual((rounds[0]["name"], rounds[0]["stages"], rounds[0]["done"]), ("round-1", 36, 36))
         self.assertTrue(run["report"] and run["can_delete"] and run["calibration"]["answered"])
         answer = studio.get_json(f"/runs/{name}/calibration.json")
         self.assertTrue(answer["complete"])
