@@ -51,7 +51,7 @@ constexpr Range cloud_seconds{1e-6, 1e-4}; // a grain; the most of a million, wh
 constexpr Range layer_seconds{1e-5, 2e-4}; // likewise of layers, pushed apart in steps of porosity
 constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
 
-// Fines that migrate: steps of their rest, and while the median one would fall half its diameter; flows in a second.
+// Fines that migrate: steps of their rest; of equal ones, while one falls half its diameter; flows in a second.
 constexpr Range rest_of_fines{20'000, 80'000}, steps_of_a_fall{400, 1200}, flows_a_second{20, 250};
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
@@ -287,7 +287,8 @@ public:
         const double most = std::min(holds * spec.hold_at_most, spec.time_at_most.value_or(1e30));
         const Range time{std::min(2 * holds * spec.still_for, most), most};
         const double excess = std::max(1e-3, 1 - case_.fluid.density / variant_.material.density);
-        const double fall = std::sqrt(sample_.fines.median / (excess * gravity));
+        // The largest decides on the stiffness, and the smallest on the step.
+        const double fall = sample_.fines.smallest / std::sqrt(sample_.fines.largest * excess * gravity);
         const double slower = std::sqrt(erosion::MigrateSpec{}.softness / spec.softness);
         const double equilibria = spec.skeleton == erosion::Skeleton::Moves ? 2 * holds : 0;
         const double rests = spec.skeleton == erosion::Skeleton::Moves ? 1 + holds : 1;

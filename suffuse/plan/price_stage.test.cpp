@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace suffuse::plan {
 namespace {
@@ -47,6 +48,32 @@ TEST(StagePrice, OfStepsInReferenceModeGoesByThatSpeed) {
     const double as_fast = seconds_of(price, machine).most;
     machine.in_reference_mode = 0.25e6;
     EXPECT_DOUBLE_EQ(seconds_of(price, machine).most, 4 * as_fast);
+}
+
+/// Steps of fines that migrate for a second.
+double steps_a_second(const std::vector<double>& radii) {
+    casefile::Stage stage;
+    const auto most_of = [&](double time_at_most) {
+        erosion::MigrateSpec spec;
+        spec.gradients = {1};
+        spec.hold_at_most = 10;
+        spec.time_at_most = time_at_most;
+        stage.spec = spec;
+        grains::Grains grains;
+        for (const double radius : radii) {
+            grains.fine[add_grain(grains, {}, radius, 2650)] = 1;
+        }
+        PricedSample sample = describe(grains);
+        return price_stage({}, {}, stage, sample).reference_steps.most;
+    };
+    return most_of(3) - most_of(2);
+}
+
+TEST(StagePrice, OfFinesThatMigrateFollowsTheirLargestAndTheirSmallest) {
+    // Contacts are as stiff as the weight of the largest asks for: steps go as the root of d_max, and as 1/d_min.
+    const double equal = steps_a_second({5e-5, 5e-5});
+    EXPECT_NEAR(steps_a_second({5e-5, 2e-4}), 2 * equal, 1e-9 * equal);
+    EXPECT_NEAR(steps_a_second({1.25e-5, 5e-5}), 4 * equal, 1e-9 * equal);
 }
 
 } // namespace
