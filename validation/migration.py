@@ -55,11 +55,12 @@ def show_probe(stages):
 
 def show_routing(run):
     """Share of the fines that leaves by single grains that travel, and by migration without friction, a row a soil."""
-    print("| size ratio | routed [%] | migrates [%] | still moving [%] |\n|---|---|---|---|")
+    print("| size ratio | by the flow's way [%] | migrates [%] | by the widest way [%] | still moving [%] |\n|---|---|---|---|---|")
     for soil in ("ratio-5", "ratio-7"):
         stages = by_stage(run, f"routing/soil={soil}")
         columns = [[100 * stage["eroded_share_of_fines"] for stage in stages["routed"]],
                    [100 * stage["eroded_mass_share"] for stage in stages["migrate"]],
+                   [100 * stage["eroded_share_of_fines"] for stage in stages["widest"]],
                    [100 * stage["moving_mass_share"] for stage in stages["migrate"]]]
         print(f"| {soil.removeprefix('ratio-')} | " + " | ".join(", ".join(f"{value:.1f}" for value in values) for values in columns) + " |")
 
