@@ -1,13 +1,10 @@
 #include "suffuse/flow/bounded_drag.hpp"
 
-#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/raw_column.hpp"
 #include "suffuse/flow/conductance.hpp"
-#include "suffuse/flow/passage_area.hpp"
-#include "suffuse/flow/throat_drag.hpp"
-#include "suffuse/flow/throat_edges.hpp"
+#include "suffuse/flow/water_tile.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -32,52 +29,6 @@ constexpr double thinnest_layer = 1e-6;
 
 /// A neighbor that many times larger is a wall.
 constexpr double wall_ratio = 1.5;
-
-/// Water between surfaces nearer than this share of the layer's thickness rests. Fitted, as the exponents below.
-constexpr double resting_gap = 0.8;
-
-/// At least this share of what is wetted drags.
-constexpr double least_open = 0.1;
-
-/// The area of a throat that counts: harmonic2 facet^widening / mean^(1 + widening).
-constexpr double widening = 0.2;
-
-/// Areas are no less than this share of the facet.
-constexpr double least_area = 1e-3, least_void = 1e-9;
-
-constexpr double nearly = 1 - 1e-9;
-
-/// The water of throat t by solid angles.
-ThroatWater
-counted_water(const std::array<double, 3>& radius, const std::array<double, 3>& wetted, double hydraulic_radius) {
-    return {hydraulic_radius * (wetted[0] + wetted[1] + wetted[2]), {radius, wetted}};
-}
-
-/// Area through which the water of a throat goes, of the area vector `area` and the void area given [m2].
-double passage_area(
-    const pores::ThroatSpheres& spheres, const ThroatEdges& edges, const Vec3& p1, const Vec3& p2, const Vec3& area,
-    double void_area
-) {
-    const auto& [x, r] = spheres;
-    const double facet = norm(area);
-    Passage passage{0, {}, r};
-    double sections = 0, overlaps = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const std::size_t b = (a + 1) % 3, c = (a + 2) % 3;
-        passage.angle[a] =
-            a < 2 ? std::atan2(2 * facet, dot(x[b] - x[a], x[c] - x[a])) : pi - passage.angle[0] - passage.angle[1];
-        sections += 0.5 * passage.angle[a] * r[a] * r[a];
-        overlaps += edges.length(a) < r[a] + r[b] ? lens_of(r[a], r[b], edges.length(a)).half_section : 0;
-    }
-    // Where sections counted twice exceed the facet, the network keeps the size of the difference alone.
-    const double counted = sections - facet > nearly * void_area ? -void_area : void_area;
-    passage.facet = std::max(counted + overlaps, least_void * facet);
-    const double below = dot(p1 - x[0], area) / facet, above = dot(p2 - x[0], area) / facet;
-    const PassageArea found = mean_passage_area(passage, below, above, least_length * std::sqrt(facet));
-    const double least = least_area * facet, mean = std::max(found.mean, least);
-    const double harmonic = std::max(found.harmonic, least);
-    return harmonic * harmonic / mean * std::pow(facet / mean, widening);
-}
 
 } // namespace
 
@@ -118,25 +69,24 @@ BoundedDrag::BoundedDrag(
       passage_(network.throats.size()), exchange_(network, measure_water(), exchange_legs(network, position, radius)) {}
 
 RawColumn<double> BoundedDrag::measure_water() {
-    const pores::Throats& throats = network_.throats;
-    RawColumn<double> drag(throats.size());
+    RawColumn<double> drag(network_.throats.size());
     std::vector<double> covered_twice((drag.size() + block - 1) / block);
     parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            const pores::ThroatSpheres spheres = pores::spheres_of(network_, position_, radius_, t);
-            const auto [p1, p2] = pores::centers_around(network_, t);
-            const ThroatEdges edges(spheres.center, p1, p2);
-            const ThroatWater counted = counted_water(spheres.radius, throats.wetted[t], throats.hydraulic_radius[t]);
-            const ThroatWater water = count_overlaps_once(edges, counted);
-            const double layer = std::max(least_layer_, water_layer(water.grains, water.volume));
-            std::array<double, 3> open = surface_beyond_wedges(edges, counted.grains, resting_gap * layer);
-            for (std::size_t k = 0; k < 3; ++k) {
-                open[k] = std::max(open[k], least_open * water.grains.area[k]);
+        pores::ThroatTile tile;
+        pores::ThroatGeometries of;
+        WaterTile water;
+        for (std::size_t first = begin; first < end; first += pores::tile_rows) {
+            const std::size_t last = std::min(first + pores::tile_rows, end);
+            pores::load_throats(network_, position_, radius_, first, last, tile);
+            pores::load_geometries(network_.throats, first, last, of);
+            flow::measure_water(tile, of, least_layer_, water);
+            for (std::size_t t = first; t < last; ++t) {
+                const std::size_t k = t - first;
+                water_[t] = water.volume[k];
+                covered_twice[begin / block] += water.covered_twice[k];
+                passage_[t] = water.passage[k];
+                drag[t] = water.drag[k];
             }
-            water_[t] = water.volume;
-            covered_twice[begin / block] += water.volume - std::max(0.0, counted.volume);
-            passage_[t] = passage_area(spheres, edges, p1, p2, throats.area[t], throats.void_area[t]);
-            drag[t] = throat_drag(water.grains, open, layer);
         }
     });
     covered_twice_ = std::accumulate(covered_twice.begin(), covered_twice.end(), 0.0);
@@ -166,25 +116,32 @@ double BoundedDrag::pressure_on_void(std::size_t t, double drop) const {
     return drop * throats.void_area[t] / (norm(throats.area[t]) * throats.covered[t]);
 }
 
-/// On the three grains of throat t: what acts on their sections, and their shares in the drag of its water. `to_wall`:
-/// of each grain.
-std::array<Vec3, 3>
-BoundedDrag::forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const {
-    const pores::ThroatGeometry throat = pores::measure_throat(network_, position_, radius_, t);
-    const auto [a, b, c] = pores::grains_of(network_, t).row;
-    const ThroatWater water =
-        counted_water({radius_[a], radius_[b], radius_[c]}, throat.wetted, throat.hydraulic_radius);
-    const double layer = std::max(least_layer_, water_layer(water.grains, water.volume));
-    const auto shares = drag_shares(water.grains, layer, {to_wall[a], to_wall[b], to_wall[c]});
-    const auto& whole = throat.grain_share; // of sections and, by wetted surface, of the void area
-    const double sum = network_.throats.covered[t], surface = throat.solid_surface;
-    const double void_share = throat.void_area / norm(throat.area);
-    std::array<Vec3, 3> force;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double section = whole[k] - void_share * (surface > 0 ? throat.wetted[k] / surface : 1.0 / 3);
-        force[k] = (drop * section / sum) * throat.area + shares[k] * drag;
+/// On the three grains of each throat of [first, last): what acts on their sections, and their shares in the drag of
+/// its water. `to_wall`: of each grain. Measured anew: kept, it would take more memory than anything else of a flow.
+void BoundedDrag::forces_at(
+    std::size_t first, std::size_t last, std::span<const double> to_wall, std::span<const double> drop,
+    std::span<const Vec3> drag, std::span<std::array<Vec3, 3>> force
+) const {
+    pores::ThroatTile tile;
+    pores::ThroatGeometries of;
+    std::array<pores::TileRow, 3> distance, share;
+    pores::load_throats(network_, position_, radius_, first, last, tile);
+    for (std::size_t k = 0; k < pores::tile_rows; ++k) {
+        const auto grain = pores::grains_of(network_, std::min(first + k, last - 1)).row;
+        for (std::size_t j = 0; j < 3; ++j) {
+            distance[j][k] = to_wall[grain[j]];
+        }
     }
-    return force;
+    pores::measure_throats(tile, of);
+    share_drag(tile, of, distance, least_layer_, share);
+    for (std::size_t t = first; t < last; ++t) {
+        const std::size_t k = t - first;
+        const Vec3 area = of.area[k];
+        const double pressure = drop[k] / (norm(area) * network_.throats.covered[t]);
+        for (std::size_t j = 0; j < 3; ++j) {
+            force[k][j] = (pressure * of.section[j][k]) * area + share[j][k] * drag[k];
+        }
+    }
 }
 
 std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, const Vec3& gradient) const {
@@ -211,8 +168,15 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
     for (std::size_t first = 0; first < throats.size(); first += stretch) {
         const std::size_t count = std::min(stretch, throats.size() - first);
         parallel_for(count, block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t t = first + begin; t < first + end; ++t) {
-                found[t - first] = forces_at(t, drop(t), exchange_.to_grains(motion, on_void, t), to_wall);
+            std::array<double, pores::tile_rows> drops;
+            std::array<Vec3, pores::tile_rows> drag;
+            for (std::size_t row = begin; row < end; row += pores::tile_rows) {
+                const std::size_t rows = std::min(pores::tile_rows, end - row), t = first + row;
+                for (std::size_t k = 0; k < rows; ++k) {
+                    drops[k] = drop(t + k);
+                    drag[k] = exchange_.to_grains(motion, on_void, t + k);
+                }
+                forces_at(t, t + rows, to_wall, drops, drag, std::span(found).subspan(row, rows));
             }
         });
         parallel_for(adders, 1, [&](std::size_t begin, std::size_t end) {

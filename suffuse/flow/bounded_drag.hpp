@@ -23,7 +23,7 @@ distances_to_walls(const pores::PoreNetwork& network, std::span<const Vec3> posi
 class BoundedDrag {
 public:
     /// Positions and radii as given to build_network. All must outlive the object, but for what the network knows of
-    /// wetted surfaces: it is needed until conductances are known.
+    /// wetted surfaces.
     BoundedDrag(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius);
 
     /// Conductance of each throat in a fluid of viscosity [Pa s]; 0 for throats inside a body of water [m3/(Pa s)].
@@ -35,6 +35,9 @@ public:
     /// What of all throats' water grains that overlap cover twice [m3].
     [[nodiscard]] double covered_twice() const { return covered_twice_; }
 
+    /// Frees what conductances and `water` need and forces do not.
+    void forget_water() { water_ = RawColumn<double>(), passage_ = RawColumn<double>(); }
+
     /// Force on each grain [N], in the order of the rows given. `gradient`: the mean pressure gradient that the
     /// pressures were solved for [Pa/m].
     [[nodiscard]] std::vector<Vec3> grain_forces(std::span<const double> pressure, const Vec3& gradient) const;
@@ -43,8 +46,10 @@ private:
     /// Enters water and passage of all throats, and returns their drag [m].
     RawColumn<double> measure_water();
     [[nodiscard]] double pressure_on_void(std::size_t t, double drop) const;
-    [[nodiscard]] std::array<Vec3, 3>
-    forces_at(std::size_t t, double drop, const Vec3& drag, std::span<const double> to_wall) const;
+    void forces_at(
+        std::size_t first, std::size_t last, std::span<const double> to_wall, std::span<const double> drop,
+        std::span<const Vec3> drag, std::span<std::array<Vec3, 3>> force
+    ) const;
 
     const pores::PoreNetwork& network_;
     std::span<const Vec3> position_;

@@ -22,7 +22,8 @@ grain_shares(const pores::PoreNetwork& network, std::span<const Vec3> position, 
     RawColumn<std::array<double, 3>> share(network.throats.size());
     parallel_for(share.size(), 2048, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
-            share[t] = pores::measure_throat(network, position, radius, t).grain_share;
+            const pores::ThroatGeometry throat = pores::measure_throat(network, position, radius, t);
+            share[t] = {throat.grain_share(0), throat.grain_share(1), throat.grain_share(2)};
         }
     });
     return share;

@@ -1,7 +1,10 @@
 #include "suffuse/flow/momentum_exchange.hpp"
 
+#include "suffuse/base/arctangent.hpp"
+#include "suffuse/base/clones.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/pores/tile.hpp"
 
 #include <fmt/format.h>
 
@@ -25,43 +28,52 @@ constexpr double star_of_four = 4.0 / 3;
 /// Middles of throats count as no closer than this share of the edge between them.
 constexpr double least_distance = 1e-6;
 
+/// Pores side by side, with their own centers and those across their facets [m].
+struct alignas(64) StarTile {
+    pores::PoreTile spheres;
+    std::array<pores::TileRow3, 4> beyond;
+    pores::TileRow3 center;
+    std::array<pores::TileRow, 4> leg;
+};
+
 /// Part of the triangle (a, b, c) outside the spheres around a and b, 0 where they overlap it all.
-double void_of_triangle(const Vec3& a, double ra, const Vec3& b, double rb, const Vec3& c) {
+[[gnu::always_inline]] inline double
+void_of_triangle(const Vec3& a, double ra, const Vec3& b, double rb, const Vec3& c) {
     const Vec3 ab = b - a, ac = c - a, bc = c - b;
     const double twice = norm(cross(ab, ac));
-    const double at_a = std::atan2(twice, dot(ab, ac)), at_b = std::atan2(twice, -dot(ab, bc));
+    const double at_a = arctangent(twice, dot(ab, ac)), at_b = arctangent(twice, -dot(ab, bc));
     return std::max(0.0, 0.5 * (twice - ra * ra * at_a - rb * rb * at_b));
 }
 
-/// Of the four throats of a pore.
-std::array<double, 4> legs_of_pore(
-    const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius, std::size_t p
-) {
-    const pores::Pores& pores = network.pores;
-    // Throat k lies opposite to corner k; its middle is the mean of three corners and two pore centers. Less what is
-    // common to the four it is (other center - corner k) / 5.
-    std::array<Vec3, 4> x, middle;
-    std::array<double, 4> r{}, leg{};
-    for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint32_t g = pores.grain[p][k], q = pores.neighbor[p][k];
-        x[k] = position[g] + shift(network.h, pores.grain_image[p][k]);
-        r[k] = radius[g];
-        middle[k] = (pores.center[q] + shift(network.h, pores.neighbor_image[p][k]) - x[k]) / 5;
-    }
+/// Of the four throats of each pore.
+SUFFUSE_CLONES void measure_legs(StarTile& tile) {
     constexpr std::size_t pairs[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
                                          {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}; // two throats, their edge
-    for (const auto& [k, l, a, b] : pairs) {
-        const double area = void_of_triangle(x[a], r[a], x[b], r[b], pores.center[p]);
-        if (area > 0) {
+#pragma GCC ivdep
+    for (std::size_t p = 0; p < pores::tile_rows; ++p) {
+        // Throat k lies opposite to corner k; its middle is the mean of three corners and two pore centers. Less what
+        // is common to the four it is (other center - corner k) / 5.
+        std::array<Vec3, 4> x, middle;
+        std::array<double, 4> leg{};
+#pragma GCC unroll 4
+        for (std::size_t k = 0; k < 4; ++k) {
+            x[k] = tile.spheres.center[k][p];
+            middle[k] = (tile.beyond[k][p] - x[k]) / 5;
+        }
+#pragma GCC unroll 6
+        for (std::size_t i = 0; i < 6; ++i) {
+            const std::size_t k = pairs[i][0], l = pairs[i][1], a = pairs[i][2], b = pairs[i][3];
+            const double ra = tile.spheres.radius[a][p], rb = tile.spheres.radius[b][p];
+            const double area = void_of_triangle(x[a], ra, x[b], rb, tile.center[p]);
             const double distance = std::max(norm(middle[k] - middle[l]), least_distance * norm(x[a] - x[b]));
             leg[k] += area / distance;
             leg[l] += area / distance;
         }
+#pragma GCC unroll 4
+        for (std::size_t k = 0; k < 4; ++k) {
+            tile.leg[k][p] = strength * star_of_four * leg[k];
+        }
     }
-    for (double& each : leg) {
-        each *= strength * star_of_four;
-    }
-    return leg;
 }
 
 /// Equation of a pore: what it exchanges with its neighbors, through the throats between, and with the grains of these.
@@ -82,23 +94,23 @@ template <class T>
 class Descent {
 public:
     explicit Descent(const pores::Pores& pores) : pores_(pores), partial_((pores.size() + block - 1) / block) {
-        row_.resize(pores.size()), x_.resize(pores.size());
+        row_.resize(pores.size()), inverse_.resize(pores.size()), x_.resize(pores.size());
         residual_.resize(pores.size()), direction_.resize(pores.size()), image_.resize(pores.size());
     }
 
     /// Gives pore p its equation.
     void set(std::size_t p, const Row& row, const T& source) {
-        row_[p] = row, residual_[p] = source;
+        row_[p] = row, inverse_[p] = row.inverse(), residual_[p] = source;
         x_[p] = direction_[p] = T{};
     }
 
     /// The residual's size, squared.
     double size2() {
-        return sum([&](std::size_t p) { return inner(residual_[p], residual_[p]) * row_[p].inverse(); });
+        return sum([&](std::size_t p) { return inner(residual_[p], residual_[p]) * inverse_[p]; });
     }
 
     void turn(double kept) {
-        each([&](std::size_t p) { direction_[p] = row_[p].inverse() * residual_[p] + kept * direction_[p]; });
+        each([&](std::size_t p) { direction_[p] = inverse_[p] * residual_[p] + kept * direction_[p]; });
     }
 
     double curvature() {
@@ -118,7 +130,7 @@ public:
         return sum([&](std::size_t p) {
             x_[p] += step * direction_[p];
             residual_[p] -= step * image_[p];
-            return inner(residual_[p], residual_[p]) * row_[p].inverse();
+            return inner(residual_[p], residual_[p]) * inverse_[p];
         });
     }
 
@@ -157,6 +169,7 @@ private:
 
     const pores::Pores& pores_;
     RawColumn<Row> row_;
+    RawColumn<double> inverse_; ///< of each row: two of three loops over rows need no more of them
     RawColumn<T> x_, residual_, direction_;
     RawColumn<T> image_; ///< A direction
     std::vector<double> partial_;
@@ -188,11 +201,25 @@ T push_on(const pores::PoreNetwork& network, std::span<const double> push, std::
 ExchangeLegs
 exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
     ExchangeLegs leg(network.throats.size());
-    parallel_for(network.pores.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
-            const std::array<double, 4> of_pore = legs_of_pore(network, position, radius, p);
-            for (std::size_t k = 0; k < 4; ++k) {
-                leg[network.pores.throat[p][k]][pores::side_of(network, p, k)] = of_pore[k];
+    const pores::Pores& pores = network.pores;
+    parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
+        StarTile tile;
+        for (std::size_t first = begin; first < end; first += pores::tile_rows) {
+            const std::size_t last = std::min(first + pores::tile_rows, end);
+            pores::load_pores(network.h, pores, position, radius, first, last, tile.spheres);
+            for (std::size_t row = 0; row < pores::tile_rows; ++row) {
+                const std::size_t p = std::min(first + row, last - 1);
+                tile.center.set(row, pores.center[p]);
+                for (std::size_t k = 0; k < 4; ++k) {
+                    const std::uint32_t q = pores.neighbor[p][k];
+                    tile.beyond[k].set(row, pores.center[q] + shift(network.h, pores.neighbor_image[p][k]));
+                }
+            }
+            measure_legs(tile);
+            for (auto p = static_cast<std::uint32_t>(first); p < last; ++p) {
+                for (std::size_t k = 0; k < 4; ++k) {
+                    leg[pores.throat[p][k]][pores::side_of(network, p, k)] = tile.leg[k][p - first];
+                }
             }
         }
     });

@@ -2,12 +2,12 @@
 // The void area of a throat along the way from one pore center to the other: narrowest in the facet, wider away from
 // it, as the grains around the facet's corners close in on their poles. docs/theory/pore-flow.md, "Bounded drag".
 
+#include "suffuse/base/arctangent.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <utility>
 
 namespace suffuse::flow {
 
@@ -22,8 +22,9 @@ struct PassageArea {
     double mean = 0, harmonic = 0; ///< [m2]
 };
 
-inline double passage_area_at(const Passage& passage, double height) {
+[[gnu::always_inline]] inline double passage_area_at(const Passage& passage, double height) {
     double area = passage.facet;
+#pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k) {
         const double r = std::min(std::abs(height), passage.radius[k]);
         area += 0.5 * passage.angle[k] * r * r;
@@ -31,42 +32,52 @@ inline double passage_area_at(const Passage& passage, double height) {
     return area;
 }
 
+/// Integrals along a part of the way, over which the area is steady + growing height2.
+struct PassageIntegrals {
+    double volume = 0, resistance = 0; ///< of the area and of its inverse
+
+    [[gnu::always_inline]] void add(double from, double to, double steady, double growing) {
+        const double length = to - from;
+        const double root = std::sqrt(std::max(0.0, growing) * steady);
+        const double inverse =
+            root > 0 ? arctangent(root * length, steady + growing * to * from) / root : length / steady;
+        volume += length > 0 ? length * (steady + growing * (to * to + to * from + from * from) / 3) : 0;
+        resistance += length > 0 ? inverse : 0;
+    }
+};
+
+/// Puts the smaller of grains k and l first.
+[[gnu::always_inline]] inline void order(Passage& passage, std::size_t k, std::size_t l) {
+    const double rk = passage.radius[k], rl = passage.radius[l], ak = passage.angle[k], al = passage.angle[l];
+    passage.radius[k] = rl < rk ? rl : rk, passage.radius[l] = rl < rk ? rk : rl;
+    passage.angle[k] = rl < rk ? al : ak, passage.angle[l] = rl < rk ? ak : al;
+}
+
 /// Means over the heights from `below` to `above` [m], in closed form; of the area halfway where they differ by less
 /// than `flat`.
-inline PassageArea mean_passage_area(Passage passage, double below, double above, double flat) {
-    if (!(std::abs(above - below) > flat)) {
-        const double area = passage_area_at(passage, 0.5 * (below + above));
-        return {area, area};
-    }
-    for (const auto [k, l] : {std::array<std::size_t, 2>{0, 1}, {1, 2}, {0, 1}}) { // by radius
-        if (passage.radius[l] < passage.radius[k]) {
-            std::swap(passage.radius[k], passage.radius[l]);
-            std::swap(passage.angle[k], passage.angle[l]);
-        }
-    }
-    double volume = 0, resistance = 0; // integrals of the area and of its inverse
+[[gnu::always_inline]] inline PassageArea mean_passage_area(Passage passage, double below, double above, double flat) {
+    const double halfway = passage_area_at(passage, 0.5 * (below + above));
+    order(passage, 0, 1), order(passage, 1, 2), order(passage, 0, 1);
+    const auto& [facet, angle, radius] = passage;
+    PassageIntegrals sum;
     const double low = std::min(below, above), high = std::max(below, above);
-    // Between one radius and the next, on either side of the facet, the area is steady + growing z2.
-    double steady = passage.facet, growing = 0.5 * (passage.angle[0] + passage.angle[1] + passage.angle[2]);
-    const auto add = [&](double from, double to) {
-        from = std::max(from, low), to = std::min(to, high);
-        if (from < to) {
-            const double root = std::sqrt(std::max(0.0, growing) * steady), length = to - from;
-            volume += length * (steady + growing * (to * to + to * from + from * from) / 3);
-            resistance += root > 0 ? std::atan2(root * length, steady + growing * to * from) / root : length / steady;
-        }
-    };
-    add(-passage.radius[0], passage.radius[0]);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double inner = passage.radius[k];
-        const double outer = k < 2 ? passage.radius[k + 1] : std::numeric_limits<double>::infinity();
-        steady += 0.5 * passage.angle[k] * inner * inner;
-        growing = k < 2 ? growing - 0.5 * passage.angle[k] : 0;
-        add(-outer, -inner);
-        add(inner, outer);
+    // Between one radius and the next, on either side of the facet.
+    double steady = facet, growing = 0.5 * (angle[0] + angle[1] + angle[2]);
+    sum.add(std::max(low, -radius[0]), std::min(high, radius[0]), steady, growing);
+#pragma GCC unroll 2
+    for (std::size_t k = 0; k < 2; ++k) {
+        steady += 0.5 * angle[k] * radius[k] * radius[k];
+        growing -= 0.5 * angle[k];
+        sum.add(std::max(low, -radius[k + 1]), std::min(high, -radius[k]), steady, growing);
+        sum.add(std::max(low, radius[k]), std::min(high, radius[k + 1]), steady, growing);
     }
+    steady += 0.5 * angle[2] * radius[2] * radius[2];
+    const double beyond =
+        std::max(0.0, std::min(high, -radius[2]) - low) + std::max(0.0, high - std::max(low, radius[2]));
+    sum.volume += beyond * steady, sum.resistance += beyond / steady;
     const double way = high - low;
-    return {volume / way, way / resistance};
+    const bool is_way = way > flat;
+    return {is_way ? sum.volume / way : halfway, is_way ? way / sum.resistance : halfway};
 }
 
 } // namespace suffuse::flow

@@ -28,36 +28,64 @@ struct WettedGrains {
     std::array<double, 3> area{};   ///< [m2]
 };
 
-/// Thickness of the layer that this much water [m3] makes on the grains, the same on all [m]: the root of
-/// sum of area ((1 + h/r)^3 - 1) r/3 = water. 0 where there is no water, or nothing for it to lie on.
-inline double water_layer(const WettedGrains& grains, double water) {
-    double linear = 0, square = 0, cube = 0; // coefficients of h, h2, h3
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double r = grains.radius[k];
-        linear += grains.area[k];
-        square += grains.area[k] / r;
-        cube += grains.area[k] / (3 * r * r);
-    }
-    if (!(water > 0) || !(linear > 0)) {
-        return 0;
-    }
-    // Each term alone would be wider. From above, Newton's steps on a convex function come down to the root.
-    double h = std::min({water / linear, std::sqrt(water / square), std::cbrt(water / cube)});
-    for (int step = 0; step < 20; ++step) {
-        const double excess = ((cube * h + square) * h + linear) * h - water;
-        const double down = excess / ((3 * cube * h + 2 * square) * h + linear);
-        h -= down;
-        if (!(down > 1e-15 * h)) {
-            break;
+/// What the layer's thickness h solves: linear h + square h2 + cube h3 = water, sum of area ((1 + h/r)^3 - 1) r/3.
+struct LayerEquation {
+    double linear = 0, square = 0, cube = 0, water = 0;
+
+    [[gnu::always_inline]] static LayerEquation of(const WettedGrains& grains, double water) {
+        LayerEquation equation;
+#pragma GCC unroll 3
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double r = grains.radius[k];
+            equation.linear += grains.area[k];
+            equation.square += grains.area[k] / r;
+            equation.cube += grains.area[k] / (3 * r * r);
         }
+        equation.water = water;
+        return equation;
     }
-    return h;
+
+    /// Each term alone would be wider. From above, Newton's steps on a convex function come down to the root.
+    [[nodiscard, gnu::always_inline]] double start() const {
+        return std::min(water / linear, std::sqrt(water / square));
+    }
+
+    /// Newton's step down from h.
+    [[nodiscard, gnu::always_inline]] double step(double h) const {
+        const double excess = ((cube * h + square) * h + linear) * h - water;
+        return excess / ((3 * cube * h + 2 * square) * h + linear);
+    }
+
+    /// Whether another one follows.
+    [[gnu::always_inline]] static bool goes_on(double step, double h) {
+        return step > 1e-15 * h;
+    }
+
+    [[nodiscard, gnu::always_inline]] double layer(double root) const {
+        return water > 0 && linear > 0 ? root : 0;
+    }
+};
+
+inline constexpr int most_steps = 40; ///< far more than layers of a million radii need
+
+/// Thickness of the layer that this much water [m3] makes on the grains, the same on all [m]. 0 where there is no
+/// water, or nothing for it to lie on.
+inline double water_layer(const WettedGrains& grains, double water) {
+    const LayerEquation equation = LayerEquation::of(grains, water);
+    double h = equation.start(), step = h;
+    for (int i = 0; i < most_steps && LayerEquation::goes_on(step, h); ++i) {
+        step = equation.step(h);
+        h -= step;
+    }
+    return equation.layer(h);
 }
 
 /// Drag of all grains over the mean velocity of the water [m]. `open`: what of each wetted surface lies in no wedge
 /// next to a contact [m2].
-inline double throat_drag(const WettedGrains& grains, const std::array<double, 3>& open, double layer) {
+[[gnu::always_inline]] inline double
+throat_drag(const WettedGrains& grains, const std::array<double, 3>& open, double layer) {
     double drag = 0;
+#pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k) {
         const double r = grains.radius[k];
         drag += grains.area[k] * stokes * (1 / r - 1 / (r + layer)) + open[k] * film / layer;
@@ -67,30 +95,25 @@ inline double throat_drag(const WettedGrains& grains, const std::array<double, 3
 
 /// Shares of the grains in the drag; they add up to 1. `to_wall`: from the center of each to the nearest surface of a
 /// much larger grain [m], behind which water is slower; what it spares one grain goes to those that have none so near.
-inline std::array<double, 3>
+[[gnu::always_inline]] inline std::array<double, 3>
 drag_shares(const WettedGrains& grains, double layer, const std::array<double, 3>& to_wall) {
-    std::array<double, 3> share{};
+    std::array<double, 3> full{}, part{};
     double whole = 0, spared = 0, open = 0;
-    std::array<bool, 3> is_open{};
+#pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k) {
-        const double r = grains.radius[k], full = grains.area[k] * (stokes / r + film_of_share / layer);
-        const double part = std::min(1.0, to_wall[k] / (r + layer_at_wall * layer));
-        is_open[k] = part == 1;
-        share[k] = part * full;
-        whole += full;
-        spared += full - share[k];
-        open += is_open[k] ? full : 0;
+        const double r = grains.radius[k];
+        full[k] = grains.area[k] * (stokes / r + film_of_share / layer);
+        part[k] = std::min(1.0, to_wall[k] / (r + layer_at_wall * layer));
+        whole += full[k];
+        spared += full[k] - part[k] * full[k];
+        open += part[k] == 1 ? full[k] : 0;
     }
-    if (!(whole > 0)) {
-        return {1.0 / 3, 1.0 / 3, 1.0 / 3};
-    }
+    // Where none is open to take over what the others are spared, nobody is spared anything.
+    std::array<double, 3> share{};
+#pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k) {
-        if (open > 0) {
-            share[k] += is_open[k] ? spared * share[k] / open : 0;
-        } else { // none to take over what the others are spared: nobody is spared anything
-            share[k] = grains.area[k] * (stokes / grains.radius[k] + film_of_share / layer);
-        }
-        share[k] /= whole;
+        const double taken_over = part[k] == 1 ? full[k] + spared * full[k] / open : part[k] * full[k];
+        share[k] = whole > 0 ? (open > 0 ? taken_over : full[k]) / whole : 1.0 / 3;
     }
     return share;
 }

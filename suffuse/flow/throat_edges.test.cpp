@@ -100,10 +100,10 @@ TEST(SurfaceBeyondWedges, IsThatOfAQuadratureOverTheSpheres) {
 TEST(ThroatEdges, HaveTheAngleBetweenThePoreCentersAroundThem) {
     const std::array<Vec3, 3> x = {Vec3{0, 0, 0}, {2, 0, 0}, {0, 3, 0}};
     const ThroatEdges edges(x, {0.5, 1, -1}, {0.5, 1, std::sqrt(3.0)});
-    EXPECT_NEAR(edges.angle(0), pi / 4 + pi / 3, 1e-15); // both above the edge along x
-    EXPECT_NEAR(edges.length(0), 2, 0);
-    EXPECT_NEAR(edges.length(1), std::sqrt(13.0), 1e-15);
-    EXPECT_NEAR(edges.angle(2), std::atan(2.0) + std::atan(2 * std::sqrt(3.0)), 1e-15);
+    EXPECT_NEAR(edges.angle[0], pi / 4 + pi / 3, 1e-15); // both above the edge along x
+    EXPECT_NEAR(edges.length[0], 2, 0);
+    EXPECT_NEAR(edges.length[1], std::sqrt(13.0), 1e-15);
+    EXPECT_NEAR(edges.angle[2], std::atan(2.0) + std::atan(2 * std::sqrt(3.0)), 1e-15);
 }
 
 TEST(Lens, HasTheVolumeSurfaceAndSectionOfAQuadrature) {

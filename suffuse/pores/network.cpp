@@ -6,7 +6,7 @@
 #include "suffuse/pores/constrictions.hpp"
 #include "suffuse/pores/offset_union.hpp"
 #include "suffuse/pores/power_center.hpp"
-#include "suffuse/pores/throat.hpp"
+#include "suffuse/pores/tile.hpp"
 #include "suffuse/pores/triangulation_check.hpp"
 
 #include <fmt/format.h>
@@ -104,23 +104,24 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
     resize_columns(n, pores.center, pores.volume, pores.void_volume);
     std::vector<std::uint8_t> is_flat(n, 0);
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            std::array<Vec3, 4> x;
-            std::array<double, 4> weight;
-            for (std::size_t k = 0; k < 4; ++k) {
-                const std::uint32_t g = pores.grain[p][k];
-                x[k] = position[g] + shift(h, pores.grain_image[p][k]);
-                weight[k] = radius[g] * radius[g];
-            }
-            const PowerCenter center = power_center(x, weight);
-            pores.center[p] = center.point;
-            is_flat[p] = center.is_flat ? 1 : 0;
-            pores.volume[p] = tetrahedron_volume(x[0], x[1], x[2], x[3]);
-            pores.void_volume[p] = pores.volume[p];
-            for (std::size_t k = 0; k < 4; ++k) {
-                const auto& c = facet_corner[k];
-                const double angle = std::abs(solid_angle(x[c[0]] - x[k], x[c[1]] - x[k], x[c[2]] - x[k]));
-                pores.void_volume[p] -= weight[k] * radius[pores.grain[p][k]] * angle / 3;
+        PoreTile tile;
+        TileRow solid;
+        for (std::size_t first = begin; first < end; first += tile_rows) {
+            const std::size_t last = std::min(first + tile_rows, end);
+            load_pores(h, pores, position, radius, first, last, tile);
+            measure_solids(tile, solid);
+            for (std::size_t p = first; p < last; ++p) {
+                std::array<Vec3, 4> x;
+                std::array<double, 4> weight;
+                for (std::size_t j = 0; j < 4; ++j) {
+                    x[j] = tile.center[j][p - first];
+                    weight[j] = tile.radius[j][p - first] * tile.radius[j][p - first];
+                }
+                const PowerCenter center = power_center(x, weight);
+                pores.center[p] = center.point;
+                is_flat[p] = center.is_flat ? 1 : 0;
+                pores.volume[p] = tetrahedron_volume(x[0], x[1], x[2], x[3]);
+                pores.void_volume[p] = pores.volume[p] - solid[p - first];
             }
         }
     });
@@ -134,15 +135,22 @@ void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::
         n, throats.area, throats.void_area, throats.covered, throats.wetted, throats.hydraulic_radius, throats.length
     );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t t = begin; t < end; ++t) {
-            const ThroatGeometry geometry = measure_throat(network, position, radius, t);
-            throats.area[t] = geometry.area;
-            throats.void_area[t] = geometry.void_area;
-            throats.covered[t] = geometry.grain_share[0] + geometry.grain_share[1] + geometry.grain_share[2];
-            throats.wetted[t] = geometry.wetted;
-            throats.hydraulic_radius[t] = geometry.hydraulic_radius;
-            const auto [p1, p2] = centers_around(network, t);
-            throats.length[t] = norm(p2 - p1);
+        ThroatTile tile;
+        ThroatGeometries of;
+        for (std::size_t first = begin; first < end; first += tile_rows) {
+            const std::size_t last = std::min(first + tile_rows, end);
+            load_throats(network, position, radius, first, last, tile);
+            measure_throats(tile, of);
+            for (std::size_t t = first; t < last; ++t) {
+                const std::size_t k = t - first;
+                throats.area[t] = of.area[k];
+                throats.void_area[t] = of.void_area[k];
+                const double solid = of.section[0][k] + of.section[1][k] + of.section[2][k];
+                throats.covered[t] = (solid + of.void_area[k]) / norm(of.area[k]);
+                throats.wetted[t] = {of.wetted[0][k], of.wetted[1][k], of.wetted[2][k]};
+                throats.hydraulic_radius[t] = of.hydraulic_radius[k];
+                throats.length[t] = norm(tile.pore_2[k] - tile.pore_1[k]);
+            }
         }
     });
 }

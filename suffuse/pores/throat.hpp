@@ -6,6 +6,7 @@
 #include "suffuse/base/vec3.hpp"
 
 #include <array>
+#include <cstddef>
 
 namespace suffuse::pores {
 
@@ -24,12 +25,18 @@ struct InscribedCircle {
 InscribedCircle inscribed_circle(const Vec3& b, const Vec3& c, const std::array<double, 3>& r);
 
 struct ThroatGeometry {
-    Vec3 area;                           ///< of the triangle, pointing from pore center 1 to pore center 2 [m2]
-    double void_area = 0;                ///< of the triangle, without its sections of grains [m2]
-    double solid_surface = 0;            ///< wetted by the throat's water [m2]
-    double hydraulic_radius = 0;         ///< water volume over solid surface [m]
-    std::array<double, 3> wetted{};      ///< the part of the solid surface that is each grain's [m2]
-    std::array<double, 3> grain_share{}; ///< part of the pressure difference x area that each grain receives [-]
+    Vec3 area;                       ///< of the triangle, pointing from pore center 1 to pore center 2 [m2]
+    double void_area = 0;            ///< of the triangle, without its sections of grains [m2]
+    double solid_surface = 0;        ///< wetted by the throat's water [m2]
+    double hydraulic_radius = 0;     ///< water volume over solid surface [m]
+    std::array<double, 3> section{}; ///< of each grain by the triangle [m2]
+    std::array<double, 3> wetted{};  ///< the part of the solid surface that is each grain's [m2]
+
+    /// Part of the pressure difference x area that grain k receives: by its section, and of the void area by its part
+    /// of the solid surface [-].
+    [[nodiscard]] double grain_share(std::size_t k) const {
+        return (section[k] + void_area * (solid_surface > 0 ? wetted[k] / solid_surface : 1.0 / 3)) / norm(area);
+    }
 };
 
 /// Measures the throat between pore centers `p1`, `p2` through the grains at `x` with radii `r` [m]. The triangle x

@@ -56,8 +56,8 @@ TEST(Throat, OfTouchingEqualGrainsHasItsClosedForm) {
     EXPECT_NEAR(throat.solid_surface, 3 * 4 * pi / 24, 1e-14);
     const double water = std::sqrt(3.0) * (tetrahedron + octahedron) / 3 - 3 * 4 * pi / 24 / 3;
     EXPECT_NEAR(throat.hydraulic_radius, water / (pi / 2), 1e-14);
-    for (const double share : throat.grain_share) {
-        EXPECT_NEAR(share, 1.0 / 3, 1e-14);
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(throat.grain_share(k), 1.0 / 3, 1e-14);
     }
 }
 
@@ -65,7 +65,7 @@ TEST(Throat, SharesAddUpToOneUnlessAGrainReachesOverTheOppositeEdge) {
     const std::array<Vec3, 3> x = {Vec3{0, 0, 0}, Vec3{2, 0, 0}, Vec3{1, 0.9, 0}};
     const auto shares = [&](double r) {
         const auto throat = measure_throat(x, {0.2, 0.2, r}, {1, 0.3, -0.5}, {1, 0.3, 0.6});
-        return throat.grain_share[0] + throat.grain_share[1] + throat.grain_share[2];
+        return throat.grain_share(0) + throat.grain_share(1) + throat.grain_share(2);
     };
     EXPECT_NEAR(shares(0.8), 1, 1e-14);
     const double r = 1, h = 0.9, segment = r * r * std::acos(h / r) - h * std::sqrt(r * r - h * h);
