@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace suffuse::flow {
@@ -63,17 +64,13 @@ ClosedVoids find_closed_voids(const pores::PoreNetwork& network) {
     return {voids.negative / voids.all, voids.deepest};
 }
 
-/// How far grains overlap, and how far the flow keeps to wide ways. Width: root of the void area.
-void describe_water(const BoundedDrag& drag, Seepage& s) {
-    const std::span<const double> water = drag.water();
-    double all = 0, width_of_water = 0, flow = 0, width_of_flow = 0;
-    for (std::size_t t = 0; t < water.size(); ++t) {
-        const double width = std::sqrt(s.network.throats.void_area[t]), flux = std::abs(s.field.flux[t]);
-        all += water[t], width_of_water += water[t] * width;
-        flow += flux, width_of_flow += flux * width;
+/// Width of throats, the root of their void area, averaged over `what` they hold [m].
+double mean_width(const pores::PoreNetwork& network, std::span<const double> what) {
+    double all = 0, widths = 0;
+    for (std::size_t t = 0; t < what.size(); ++t) {
+        all += std::abs(what[t]), widths += std::abs(what[t]) * std::sqrt(network.throats.void_area[t]);
     }
-    s.overlap = drag.covered_twice() / all;
-    s.channeling = flow > 0 ? width_of_flow / flow / (width_of_water / all) : 1;
+    return all > 0 ? widths / all : 0;
 }
 
 /// A last look, whatever led to it.
@@ -144,9 +141,15 @@ Seepage solve_seepage(
     if (fluid.conductance == Conductance::Bounded) {
         bounded.emplace(s.network, position, radius);
     }
-    s.conductance = bounded ? bounded->conductances(fluid.viscosity) : conductances(s.network, fluid.viscosity);
-    // Forces measure anew what of it they need: the solution needs the room.
     s.network.throats.wetted = std::vector<std::array<double, 3>>();
+    s.conductance = bounded ? bounded->conductances(fluid.viscosity) : conductances(s.network, fluid.viscosity);
+    double width_of_water = 0;
+    if (bounded) {
+        const std::span<const double> water = bounded->water();
+        s.overlap = bounded->covered_twice() / std::accumulate(water.begin(), water.end(), 0.0);
+        width_of_water = mean_width(s.network, water);
+        bounded->forget_water(); // the solution needs the room
+    }
     s.seconds.conductance = watch.lap();
 
     const Vec3 along = squarable(spec.direction);
@@ -162,9 +165,8 @@ Seepage solve_seepage(
         s.tensor = permeability_tensor(*solver, s.network, fluid.viscosity);
     }
     solver.reset(); // forces need the room
-    if (bounded) {
-        describe_water(*bounded, s);
-    }
+    const double width_of_flow = bounded ? mean_width(s.network, s.field.flux) : 0;
+    s.channeling = width_of_flow > 0 ? width_of_flow / width_of_water : 1;
     s.seconds.solve = watch.lap();
     phase.next("forces");
     s.pressure_gradient = unit;
