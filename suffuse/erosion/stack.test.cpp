@@ -154,11 +154,11 @@ TEST(Stack, HoldsABaseThatIsAsCoarseAsItsHolesAndLosesOneThatFitsThroughThem) {
     EXPECT_TRUE(held.result.holds.back().ended);
     EXPECT_LT(held.result.holds.back().depth, 0.6e-3) << "the first layer of the filter stops them";
     dem::World fine = two_lattices(8, 3, 2, 0);
-    fine.material.friction = 0; // with it they arch
-    MigrateSpec spec = downward(1);
+    fine.material.friction = 0;     // with it they arch
+    MigrateSpec spec = downward(3); // under 1 the last bits of the forces decide how many get through
     spec.hold_at_most = 0.2;
     const Migration lost = migrate(fine, spec);
-    EXPECT_GT(eroded_mass(lost.ledger), 0.1 * lost.result.fines_mass);
+    EXPECT_GT(eroded_mass(lost.ledger), 0.5 * lost.result.fines_mass);
 }
 
 TEST(Stack, GivesTheBaseItsGradientAndKeepsItsMass) {
