@@ -72,9 +72,9 @@ RawColumn<double> BoundedDrag::measure_water() {
     RawColumn<double> drag(network_.throats.size());
     std::vector<double> covered_twice((drag.size() + block - 1) / block);
     parallel_for(drag.size(), block, [&](std::size_t begin, std::size_t end) {
-        pores::ThroatTile tile;
-        pores::ThroatGeometries of;
-        WaterTile water;
+        pores::ThroatTile tile{};
+        pores::ThroatGeometries of{};
+        WaterTile water{};
         for (std::size_t first = begin; first < end; first += pores::tile_rows) {
             const std::size_t last = std::min(first + pores::tile_rows, end);
             pores::load_throats(network_, position_, radius_, first, last, tile);
@@ -122,9 +122,9 @@ void BoundedDrag::forces_at(
     std::size_t first, std::size_t last, std::span<const double> to_wall, std::span<const double> drop,
     std::span<const Vec3> drag, std::span<std::array<Vec3, 3>> force
 ) const {
-    pores::ThroatTile tile;
-    pores::ThroatGeometries of;
-    std::array<pores::TileRow, 3> distance, share;
+    pores::ThroatTile tile{};
+    pores::ThroatGeometries of{};
+    std::array<pores::TileRow, 3> distance{}, share{};
     pores::load_throats(network_, position_, radius_, first, last, tile);
     for (std::size_t k = 0; k < pores::tile_rows; ++k) {
         const auto grain = pores::grains_of(network_, std::min(first + k, last - 1)).row;
@@ -168,7 +168,7 @@ std::vector<Vec3> BoundedDrag::grain_forces(std::span<const double> pressure, co
     for (std::size_t first = 0; first < throats.size(); first += stretch) {
         const std::size_t count = std::min(stretch, throats.size() - first);
         parallel_for(count, block, [&](std::size_t begin, std::size_t end) {
-            std::array<double, pores::tile_rows> drops;
+            std::array<double, pores::tile_rows> drops{};
             std::array<Vec3, pores::tile_rows> drag;
             for (std::size_t row = begin; row < end; row += pores::tile_rows) {
                 const std::size_t rows = std::min(pores::tile_rows, end - row), t = first + row;

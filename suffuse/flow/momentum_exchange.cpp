@@ -203,7 +203,7 @@ exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position,
     ExchangeLegs leg(network.throats.size());
     const pores::Pores& pores = network.pores;
     parallel_for(pores.size(), block, [&](std::size_t begin, std::size_t end) {
-        StarTile tile;
+        StarTile tile{};
         for (std::size_t first = begin; first < end; first += pores::tile_rows) {
             const std::size_t last = std::min(first + pores::tile_rows, end);
             pores::load_pores(network.h, pores, position, radius, first, last, tile.spheres);

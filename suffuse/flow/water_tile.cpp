@@ -119,9 +119,9 @@ area_of_passage(const pores::ThroatTile& tile, const pores::ThroatGeometries& of
 
 SUFFUSE_CLONES void
 measure_water(const pores::ThroatTile& tile, const pores::ThroatGeometries& of, double least_layer, WaterTile& water) {
-    Layers layers;
-    alignas(64) std::array<TileRow, 3> length, angle, touched;
-    alignas(64) TileRow widens;
+    Layers layers{};
+    alignas(64) std::array<TileRow, 3> length{}, angle{}, touched{};
+    alignas(64) TileRow widens{};
 #pragma GCC ivdep
     for (std::size_t k = 0; k < tile_rows; ++k) {
         const ThroatEdges edges(tile.centers(k), tile.pore_1[k], tile.pore_2[k]);
@@ -161,7 +161,7 @@ SUFFUSE_CLONES void share_drag(
     const pores::ThroatTile& tile, const pores::ThroatGeometries& of, const std::array<TileRow, 3>& to_wall,
     double least_layer, std::array<TileRow, 3>& share
 ) {
-    Layers layers;
+    Layers layers{};
 #pragma GCC ivdep
     for (std::size_t k = 0; k < tile_rows; ++k) {
         const ThroatWater counted = counted_water(tile, of, k);

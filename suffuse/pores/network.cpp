@@ -104,15 +104,15 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
     resize_columns(n, pores.center, pores.volume, pores.void_volume);
     std::vector<std::uint8_t> is_flat(n, 0);
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
-        PoreTile tile;
-        TileRow solid;
+        PoreTile tile{};
+        TileRow solid{};
         for (std::size_t first = begin; first < end; first += tile_rows) {
             const std::size_t last = std::min(first + tile_rows, end);
             load_pores(h, pores, position, radius, first, last, tile);
             measure_solids(tile, solid);
             for (std::size_t p = first; p < last; ++p) {
                 std::array<Vec3, 4> x;
-                std::array<double, 4> weight;
+                std::array<double, 4> weight{};
                 for (std::size_t j = 0; j < 4; ++j) {
                     x[j] = tile.center[j][p - first];
                     weight[j] = tile.radius[j][p - first] * tile.radius[j][p - first];
@@ -135,8 +135,8 @@ void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::
         n, throats.area, throats.void_area, throats.covered, throats.wetted, throats.hydraulic_radius, throats.length
     );
     parallel_for(n, block, [&](std::size_t begin, std::size_t end) {
-        ThroatTile tile;
-        ThroatGeometries of;
+        ThroatTile tile{};
+        ThroatGeometries of{};
         for (std::size_t first = begin; first < end; first += tile_rows) {
             const std::size_t last = std::min(first + tile_rows, end);
             load_throats(network, position, radius, first, last, tile);

@@ -28,11 +28,11 @@ struct alignas(64) ThroatTile {
     std::array<TileRow, 3> radius;
     TileRow3 pore_1, pore_2;
 
-    [[gnu::always_inline]] std::array<Vec3, 3> centers(std::size_t k) const {
+    [[nodiscard, gnu::always_inline]] std::array<Vec3, 3> centers(std::size_t k) const {
         return {center[0][k], center[1][k], center[2][k]};
     }
 
-    [[gnu::always_inline]] std::array<double, 3> radii(std::size_t k) const {
+    [[nodiscard, gnu::always_inline]] std::array<double, 3> radii(std::size_t k) const {
         return {radius[0][k], radius[1][k], radius[2][k]};
     }
 };
