@@ -52,7 +52,7 @@ constexpr Range layer_seconds{1e-5, 2e-4}; // likewise of layers, pushed apart i
 constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
 
 // Fines that migrate: steps of their rest; of equal ones, while one falls half its diameter; flows in a second.
-constexpr Range rest_of_fines{20'000, 80'000}, steps_of_a_fall{400, 2000}, flows_a_second{20, 250};
+constexpr Range rest_of_fines{20'000, 80'000}, steps_of_a_fall{400, 3200}, flows_a_second{20, 250};
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
 constexpr std::int64_t most_drawn = 300'000;
