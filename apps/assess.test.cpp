@@ -201,6 +201,10 @@ TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     // * 2^0.85 mm.
     EXPECT_NEAR(filter[0]["value"].get<double>(), 2 * std::pow(4, 0.15) / (0.15 * std::pow(2, 0.85)), 1e-9);
     EXPECT_EQ(filter[0]["verdict"], "fails");
+    const auto simulated = nlohmann::json::parse(out)["soils"][0]["filter"]["simulated"];
+    EXPECT_EQ(simulated["size_ratio"], filter[0]["value"]);
+    EXPECT_NEAR(simulated["base_width"].get<double>(), std::pow(2, 0.70), 1e-9) << "of the regraded base";
+    EXPECT_FALSE(simulated["gradients"].empty());
 }
 
 TEST_F(Assess, SaysTheFiltersVerdictInTheReportOnThePageAndUnderThePicture) {
@@ -211,6 +215,7 @@ TEST_F(Assess, SaysTheFiltersVerdictInTheReportOnThePageAndUnderThePicture) {
     expect_in("Terzaghi and Peck", report);
     const auto about = nlohmann::json::parse(read_all(folder / "dyke/assessment.json"));
     EXPECT_EQ(about["filter"]["verdict"], "fails");
+    expect_in("No simulated base is like this one", report);
     expect_in("own-stability-filter", report);
     EXPECT_EQ(call("dyke.csv --filter filter.csv --page -o page.html"), 0) << error;
     expect_in("fails by 2 of 7 rules", read_all(folder / "page.html"));

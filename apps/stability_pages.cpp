@@ -107,6 +107,7 @@ fs::path write_soil_page(
     if (soil.filter) {
         data.opening.verdict.push_back(fmt::format("The filter {} {}.", soil.filter->name, soil.filter->check.outcome));
         data.answer.push_back(filter_sentence(soil));
+        data.answer.push_back(job::summary_of(soil.filter->simulated));
         data.tables.push_back(figures::filter_table(soil.filter->check, soil.filter->name));
         data.figures.push_back(soil_and_filter(soil));
     }

@@ -244,7 +244,9 @@ void add_filter(const std::string& file, const Console& console, std::vector<job
     const gradings::GradingFile read = read_one_grading(file, "");
     print_remarks(read, console);
     for (job::AssessedSoil& soil : soils) {
-        soil.filter = {file, stability::check_filter(soil.measured, read.soils.front().grading)};
+        const grains::Grading& measured = read.soils.front().grading;
+        soil.filter = {
+            file, stability::check_filter(soil.measured, measured), job::consult_filter_atlas(soil.measured, measured)};
     }
 }
 

@@ -1,11 +1,11 @@
-# The rows of the atlas as a string in the library, so that the program needs no other file.
+# The tables of the atlas as strings in the library, so that the program needs no other file.
 if(CMAKE_SCRIPT_MODE_FILE)
     file(READ ${FROM} text)
-    file(WRITE ${TO} "#include \"suffuse/atlas/row.hpp\"
+    file(WRITE ${TO} "#include \"suffuse/atlas/${HEADER}\"
 
 namespace suffuse::atlas {
 
-std::string_view shipped_table() {
+std::string_view ${FUNCTION}() {
     return R\"csv(${text})csv\";
 }
 
@@ -14,11 +14,17 @@ std::string_view shipped_table() {
     return()
 endif()
 
-set(gradients ${PROJECT_SOURCE_DIR}/suffuse/atlas/gradients.csv)
-set(gradients_source ${PROJECT_BINARY_DIR}/generated/gradients.cpp)
-add_custom_command(
-    OUTPUT ${gradients_source}
-    COMMAND ${CMAKE_COMMAND} -DFROM=${gradients} -DTO=${gradients_source} -P ${CMAKE_CURRENT_LIST_FILE}
-    DEPENDS ${gradients} ${CMAKE_CURRENT_LIST_FILE}
-    COMMENT "Embedding the atlas")
-target_sources(suffuse_atlas PRIVATE ${gradients_source})
+function(embed_table name header function)
+    set(table ${PROJECT_SOURCE_DIR}/suffuse/atlas/${name}.csv)
+    set(source ${PROJECT_BINARY_DIR}/generated/${name}.cpp)
+    add_custom_command(
+        OUTPUT ${source}
+        COMMAND ${CMAKE_COMMAND} -DFROM=${table} -DTO=${source} -DHEADER=${header} -DFUNCTION=${function}
+            -P ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
+        DEPENDS ${table} ${CMAKE_CURRENT_FUNCTION_LIST_FILE}
+        COMMENT "Embedding the atlas, ${name}")
+    target_sources(suffuse_atlas PRIVATE ${source})
+endfunction()
+
+embed_table(gradients row.hpp shipped_table)
+embed_table(filters filter_row.hpp shipped_filter_table)

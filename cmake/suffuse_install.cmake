@@ -15,7 +15,7 @@ install(CODE "
     if(NOT EXISTS \"${SUFFUSE_REPORT_PAGE}/page.js\")
         message(WARNING \"No page in ${SUFFUSE_REPORT_PAGE}: reports of what is installed are plain. page/build.sh makes it.\")
     endif()" COMPONENT program)
-install(FILES suffuse/atlas/gradients.csv DESTINATION share/suffuse/atlas COMPONENT program)
+install(FILES suffuse/atlas/gradients.csv suffuse/atlas/filters.csv DESTINATION share/suffuse/atlas COMPONENT program)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${documents} COMPONENT program)
 install(DIRECTORY docs examples validation DESTINATION ${documents} COMPONENT program
     FILES_MATCHING PATTERN "*.md" PATTERN "*.toml" PATTERN "*.csv" PATTERN "*.txt" PATTERN "*.py" PATTERN "*.png" PATTERN "*.svg" PATTERN "*.bib"

@@ -1,5 +1,6 @@
 // Internal stability of a soil by its grading.
 
+#include "suffuse/atlas/filter_row.hpp"
 #include "suffuse/atlas/row.hpp"
 #include "suffuse/base/units.hpp"
 #include "suffuse/gradings/read_grading.hpp"
@@ -127,6 +128,7 @@ void bind_stability(py::module_& m) {
         py::arg("by") = py::none(), py::arg("sheet") = py::none(), py::arg("rows") = py::none()
     );
     m.def("atlas_table", &atlas::shipped_table);
+    m.def("filter_atlas_table", &atlas::shipped_filter_table);
 }
 
 } // namespace suffuse::python

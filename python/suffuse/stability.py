@@ -45,12 +45,21 @@ def assess(grading, **settings):
     return Assessment(_core.assess(grading, **settings))
 
 
-def atlas():
-    """The atlas of gradients that move the fines of simulated gap-graded soils, as Records: a row a sample and flow.
+def atlas(of="gradients"):
+    """A table of simulated soils, as Records.
 
-    ratio: D50/d50 of the two fractions; fines: their share of the mass; alpha: mean stress of the fines over that of the
-    soil. i_c is the gradient of heave; i1, i10 and i50 move 1, 10 and 50 % of the fines' mass: not a number where they were
-    not reached, upper bounds where i1_at_most, i10_at_most, i50_at_most are 1. drag_share: of the seepage force, on the
-    fines; load_bearing and sifting: shares of the fines' mass that carry load, and that fall through without flow.
+    of="gradients": a row a sample and flow, of gap-graded soils whose fines rising gradients moved. ratio: D50/d50 of the
+    two fractions; fines: their share of the mass; alpha: mean stress of the fines over that of the soil. i_c is the gradient
+    of heave; i1, i10 and i50 move 1, 10 and 50 % of the fines' mass: not a number where they were not reached, upper bounds
+    where i1_at_most, i10_at_most, i50_at_most are 1. drag_share: of the seepage force, on the fines; load_bearing and
+    sifting: shares of the fines' mass that carry load, and that fall through without flow.
+
+    of="filters": a row a sample and gradient, of bases on a uniform filter. ratio: D15 of the filter over d85 of the base;
+    width: d85/d15 of the base; gradient: of the base; thickness and constriction: of the base, and the controlling one of the
+    filter, over D15; passed, moving and entered: shares of the base's mass through the filter, on its way at the end, and
+    beyond the interface; where ended is 0 the motion had not ended, and passed is a lower bound; overlap: over a radius.
     """
-    return gather(list(csv.DictReader(_core.atlas_table().splitlines())))
+    tables = {"gradients": _core.atlas_table, "filters": _core.filter_atlas_table}
+    if of not in tables:
+        raise _core.CaseError(f'of = "{of}" is not known: expected {" or ".join(tables)}')
+    return gather(list(csv.DictReader(tables[of]().splitlines())))

@@ -126,3 +126,12 @@ def test_the_atlas_is_a_table_of_samples():
     upward = rows["flow"] == "up"
     assert rows["i_c"][upward] == pytest.approx(heave[upward], rel=1e-4) and numpy.isnan(rows["i_c"][~upward]).all()
     assert set(rows.units.values()) == {"-"}
+
+
+def test_the_atlas_of_filters_has_shares_of_the_base():
+    rows = suffuse.atlas("filters")
+    assert set(rows["ended"]) <= {0, 1} and (rows["ratio"] >= 3).all()
+    for share in ("passed", "moving", "entered"):
+        assert ((rows[share] >= 0) & (rows[share] <= 1)).all()
+    with pytest.raises(suffuse.CaseError, match="expected gradients or filters"):
+        suffuse.atlas("rivers")

@@ -43,18 +43,8 @@ std::string millimeters(double length) {
     return short_number(1e3 * length, 2) + " mm";
 }
 
-std::string_view in_words(FilterVerdict verdict) {
-    switch (verdict) {
-    case FilterVerdict::Holds:
-        return "the filter holds";
-    case FilterVerdict::HoldsAfterLoss:
-        return "the filter holds after a loss";
-    case FilterVerdict::Undecided:
-        return "this run does not decide";
-    case FilterVerdict::LetsPass:
-        return "the filter lets the base pass";
-    }
-    return "";
+FilterVerdict verdict_on(const FinishedStage& stage) {
+    return judge_filter(end_of(stage).eroded_mass_share, has_ended(result_of(stage)));
 }
 
 /// "nothing passed" or "27 % passed".
@@ -67,8 +57,8 @@ std::string short_answer(const FinishedStage& stage) {
     const MigrationHold& end = end_of(stage);
     const bool ended = has_ended(result_of(stage));
     return fmt::format(
-        "{}: {}, the base came {} deep, and {}.", in_words(judge_filter(result_of(stage))), passed_text(end),
-        millimeters(end.depth), ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
+        "{}: {}, the base came {} deep, and {}.", words_of(verdict_on(stage)), passed_text(end), millimeters(end.depth),
+        ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
     );
 }
 
@@ -142,15 +132,28 @@ std::string hold_text(const MigrationResult& result) {
 
 } // namespace
 
-FilterVerdict judge_filter(const MigrationResult& result) {
-    const double lost = result.holds.back().eroded_mass_share;
+FilterVerdict judge_filter(double lost, bool ended) {
     if (lost > most_lost) {
         return FilterVerdict::LetsPass;
     }
-    if (!has_ended(result)) {
+    if (!ended) {
         return FilterVerdict::Undecided;
     }
     return lost > 0 ? FilterVerdict::HoldsAfterLoss : FilterVerdict::Holds;
+}
+
+std::string_view words_of(FilterVerdict verdict) {
+    switch (verdict) {
+    case FilterVerdict::Holds:
+        return "the filter holds";
+    case FilterVerdict::HoldsAfterLoss:
+        return "the filter holds after a loss";
+    case FilterVerdict::Undecided:
+        return "this run does not decide";
+    case FilterVerdict::LetsPass:
+        return "the filter lets the base pass";
+    }
+    return "";
 }
 
 std::vector<const FinishedStage*> filter_stages(const std::vector<FinishedStage>& stages) {
@@ -167,9 +170,7 @@ std::vector<const FinishedStage*> filter_stages(const std::vector<FinishedStage>
 std::vector<std::string> filter_verdict(const Stages& stages) {
     if (stages.size() > most_stages) {
         const auto count = [&](FilterVerdict verdict) {
-            return std::ranges::count(stages, verdict, [](const FinishedStage* stage) {
-                return judge_filter(result_of(*stage));
-            });
+            return std::ranges::count(stages, verdict, [](const FinishedStage* stage) { return verdict_on(*stage); });
         };
         return {
             fmt::format("The filter holds in {} of {} samples.", count(FilterVerdict::Holds), stages.size()),
@@ -259,7 +260,7 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
              percent_text(end.entered_mass_share), short_number(1e3 * end.depth, 2),
              short_number(view.constriction / view.filter_d15, 2),
              view.largest_eroded > 0 ? short_number(1e3 * view.largest_eroded, 2) : "–",
-             std::string(in_words(judge_filter(result_of(*stage))))}
+             std::string(words_of(verdict_on(*stage)))}
         );
     }
     return table;

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace suffuse::answer {
@@ -21,8 +22,11 @@ enum class FilterVerdict {
 /// Of the base's mass: more than that is no filter any more. Our choice; rules name no share.
 inline constexpr double most_lost = 0.05;
 
-/// @pre a hold
-FilterVerdict judge_filter(const erosion::MigrationResult& result);
+/// @param lost of the base's mass; @param ended the motion
+FilterVerdict judge_filter(double lost, bool ended);
+
+/// "the filter holds after a loss".
+std::string_view words_of(FilterVerdict verdict);
 
 /// Stages in which a base migrates into its filter.
 std::vector<const record::FinishedStage*> filter_stages(const std::vector<record::FinishedStage>& stages);

@@ -45,9 +45,7 @@ TEST(FilterWords, JudgeByWhatLeftAndWhetherMotionEnded) {
         {0, false, FilterVerdict::Undecided},   {0.05, false, FilterVerdict::Undecided},
         {0.051, false, FilterVerdict::LetsPass}};
     for (const auto& [eroded, ended, expected] : cases) {
-        FilterRun run;
-        run.add(eroded, ended);
-        EXPECT_EQ(judge_filter(*run.stages[0].findings.migration), expected) << eroded << ended;
+        EXPECT_EQ(judge_filter(eroded, ended), expected) << eroded << ended;
     }
 }
 

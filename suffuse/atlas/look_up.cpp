@@ -2,81 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace suffuse::atlas {
 namespace {
 
-constexpr double rounding = 1e-6; // relative, of sizes and shares that were computed
-
-struct WeightedLine {
-    double at = 0, weight = 0;
-};
-
-/// The line of the grid that a coordinate is on, or the two that it is between; nothing outside.
-std::vector<WeightedLine> lines_around(const std::set<double>& lines, double at) {
-    const auto after = lines.lower_bound(at * (1 - rounding));
-    if (after == lines.end()) {
-        return {};
-    }
-    if (*after <= at * (1 + rounding)) {
-        return {{*after, 1}};
-    }
-    if (after == lines.begin()) {
-        return {};
-    }
-    const double low = *std::prev(after), high = *after, share = (at - low) / (high - low);
-    return {{low, 1 - share}, {high, share}};
-}
-
-/// The rectangular grid of nodes; ratios by their logarithm.
-class Grid {
-public:
-    explicit Grid(const std::vector<Node>& nodes) {
-        for (const Node& node : nodes) {
-            const double ratio = std::log(node.size_ratio);
-            ratios_.insert(ratio);
-            contents_.insert(node.fines_content);
-            nodes_[{ratio, node.fines_content}] = &node;
-        }
-    }
-
-    /// The corners of the cell; nothing where one of them is missing.
-    [[nodiscard]] std::vector<WeightedNode> corners(double ratio, double content) const {
-        std::vector<WeightedNode> found;
-        for (const WeightedLine& first : lines_around(ratios_, ratio)) {
-            for (const WeightedLine& second : lines_around(contents_, content)) {
-                const auto node = nodes_.find({first.at, second.at});
-                if (node == nodes_.end()) {
-                    return {};
-                }
-                found.push_back({node->second, first.weight * second.weight});
-            }
-        }
-        return found;
-    }
-
-    [[nodiscard]] double nearest_ratio(double ratio) const {
-        return *std::ranges::min_element(ratios_, {}, [&](double line) { return std::abs(line - ratio); });
-    }
-
-private:
-    std::set<double> ratios_, contents_;
-    std::map<std::pair<double, double>, const Node*> nodes_;
-};
-
 std::vector<WeightedNode> nodes_for(const std::vector<Node>& nodes, double size_ratio, double fines_content) {
-    const Grid grid(nodes);
-    const double ratio = std::log(size_ratio);
-    std::vector<WeightedNode> corners = grid.corners(ratio, fines_content);
-    const double nearest = grid.nearest_ratio(ratio);
+    const Grid grid = grid_of(nodes);
+    const double ratio = std::log(size_ratio), nearest = grid.nearest_x(ratio);
+    std::vector<Corner> corners = grid.corners({ratio, fines_content});
     if (corners.empty() && std::abs(nearest - ratio) <= std::log1p(same_ratio)) {
-        corners = grid.corners(nearest, fines_content);
+        corners = grid.corners({nearest, fines_content});
     }
-    return corners;
+    return weighted(nodes, corners);
 }
 
 /// In steps of the atlas, about 1.4 in the size ratio and 5 % in the fines content.

@@ -11,21 +11,6 @@ namespace {
 /// Ramps know a gradient to 0.01; below a tenth of that its logarithm would be noise, or none.
 constexpr double least_gradient = 1e-3;
 
-Value over_seeds(const std::vector<double>& samples) {
-    Value value;
-    for (const double sample : samples) {
-        value.mean += sample / static_cast<double>(samples.size());
-    }
-    if (samples.size() > 1) {
-        double squares = 0;
-        for (const double sample : samples) {
-            squares += (sample - value.mean) * (sample - value.mean);
-        }
-        value.deviation = std::sqrt(squares / static_cast<double>(samples.size() - 1));
-    }
-    return value;
-}
-
 std::optional<Value> gradient_of(const std::vector<Row>& rows, Threshold Row::*threshold) {
     std::vector<double> samples;
     bool is_at_most = false;
@@ -105,6 +90,24 @@ std::vector<Node> gather_nodes(const std::vector<Row>& rows, Density density, Fl
         nodes.push_back(node_of(std::move(samples)));
     }
     return nodes;
+}
+
+Grid grid_of(const std::vector<Node>& nodes) {
+    std::vector<Place> places;
+    places.reserve(nodes.size());
+    for (const Node& node : nodes) {
+        places.push_back({std::log(node.size_ratio), node.fines_content});
+    }
+    return Grid(places);
+}
+
+std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::vector<Corner>& corners) {
+    std::vector<WeightedNode> found;
+    found.reserve(corners.size());
+    for (const Corner& corner : corners) {
+        found.push_back({&nodes[corner.node], corner.weight});
+    }
+    return found;
 }
 
 Node blend(const std::vector<WeightedNode>& nodes) {

@@ -2,15 +2,11 @@
 // A node of the atlas: the samples of one size ratio, fines content, density and flow, which differ in their seed
 // alone.
 
+#include "suffuse/atlas/grid.hpp"
 #include "suffuse/atlas/row.hpp"
+#include "suffuse/atlas/value.hpp"
 
 namespace suffuse::atlas {
-
-struct Value {
-    double mean = 0;
-    std::optional<double> deviation; ///< standard deviation of single samples; none of one sample
-    bool is_at_most = false;         ///< an upper bound, as that of one sample at least is
-};
 
 /// Gradients are over i_c, so that soils of other porosities can be compared; none where a sample did not reach it.
 struct Node {
@@ -25,11 +21,16 @@ struct Node {
 /// In order of size ratio, then of fines content.
 std::vector<Node> gather_nodes(const std::vector<Row>& rows, Density density, Flow flow);
 
+/// Over the logarithm of the size ratio and the fines content.
+Grid grid_of(const std::vector<Node>& nodes);
+
 /// A node and its share in what is interpolated.
 struct WeightedNode {
     const Node* node = nullptr;
     double weight = 0;
 };
+
+std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::vector<Corner>& corners);
 
 /// Between nodes: porosity and alpha linear, gradients linear in their logarithm, as they span decades. An upper bound
 /// of one node makes the result one.

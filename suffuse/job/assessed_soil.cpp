@@ -138,6 +138,7 @@ json filter_json(const AssessedFilter& filter) {
         {"filter", filter.name},
         {"verdict", stability::filter_word(filter.check.verdict)},
         {"summary", stability::filter_summary(filter.check)},
+        {"simulated", filter_atlas_json(filter.simulated)},
         {"criteria", list}};
 }
 
@@ -293,7 +294,7 @@ std::string filter_text(const AssessedFilter& filter) {
             criterion.remark
         );
     }
-    return text;
+    return text + text_of(filter.simulated);
 }
 
 } // namespace suffuse::job

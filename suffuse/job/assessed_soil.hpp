@@ -2,6 +2,7 @@
 // What the criteria of internal stability say of a soil, as lines for a terminal and as JSON for programs; the names of
 // the JSON are a promise (docs/formats.md).
 
+#include "suffuse/job/filter_atlas.hpp"
 #include "suffuse/stability/filter_between.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@ namespace suffuse::job {
 struct AssessedFilter {
     std::string name; ///< the file
     stability::FilterCheck check;
+    FilterAtlasAnswer simulated = {};
 };
 
 struct AssessedSoil {
@@ -37,7 +39,7 @@ std::string constrictions_text(const stability::Assessment& assessment, const ch
 /// "the filter filter.csv fails by 2 of 9 rules: ...".
 std::string filter_summary(const AssessedFilter& filter);
 
-/// That, and a line for each rule.
+/// That, a line for each rule, and what simulated bases did.
 std::string filter_text(const AssessedFilter& filter);
 
 /// @param columns of the terminal that it is for

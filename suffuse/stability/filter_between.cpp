@@ -65,6 +65,8 @@ BaseSoil characterize_base(const Grading& measured) {
     base.fines = share_within(regraded, sieve_200);
     base.d85 = size_within(regraded, 0.85);
     base.d95 = size_within(regraded, 0.95);
+    const auto d15 = size_within(regraded, 0.15);
+    base.width = base.d85 && d15 ? std::optional(*base.d85 / *d15) : std::nullopt;
     if (base.fines) {
         base.category = *base.fines > 0.85 ? 1 : *base.fines >= 0.40 ? 2 : *base.fines >= 0.15 ? 3 : 4;
     }

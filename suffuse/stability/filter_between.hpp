@@ -21,6 +21,7 @@ struct BaseSoil {
     int category = 0;                  ///< 1 to 4 by fines, 0 where they were not measured
     std::optional<double> fines;       ///< finer than 0.075 mm [-]
     std::optional<double> d85;         ///< [m]
+    std::optional<double> width;       ///< d85/d15 [-]
     std::optional<double> d95;         ///< [m]
     std::optional<double> d15;         ///< of the base as it is, not regraded [m]
 };

@@ -96,7 +96,7 @@ function drawFilter() {
   const isGiven = here().d.every((d, k) => d === given.d[k]) && here().f.every((f, k) => f === given.f[k]) && here().d.length === given.d.length;
   const known = (value) => (value === null ? undefined : value);
   $("filter-rules").hidden = !isGiven;
-  $("filter-note").textContent = isGiven ? `The filter ${filter.filter} ${filter.summary}.`
+  $("filter-note").textContent = isGiven ? `The filter ${filter.filter} ${filter.summary}. ${filter.simulated.summary}`
     : "The curve was changed. What is known of the filter is of the curve as given: suffuse assess --filter judges another.";
   $("rules").innerHTML = rowsOf(filter.criteria.map((c) => ({
     ...c, why: c.remark, value: known(c.value), measured: known(c.measured), limit: known(c.limit), upper: known(c.upper) })));

@@ -176,7 +176,7 @@ function words(found) {
   }
   const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
   if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
-  if (found.filter) lines.push(`The filter ${soil.filter?.name ?? ""} ${found.filter.summary}.`);
+  if (found.filter) lines.push(`The filter ${soil.filter?.name ?? ""} ${found.filter.summary}.`, found.filter.simulated.summary);
   return lines;
 }
 
