@@ -44,12 +44,17 @@ std::string millimeters(double length) {
 }
 
 FilterVerdict verdict_on(const FinishedStage& stage) {
-    return judge_filter(end_of(stage).eroded_mass_share, has_ended(result_of(stage)));
+    return judge_filter(result_of(stage).filter.passed, has_ended(result_of(stage)));
 }
 
-/// "nothing passed" or "27 % passed".
-std::string passed_text(const MigrationHold& end) {
-    return end.eroded_mass_share > 0 ? percent_text(end.eroded_mass_share) + " passed" : "nothing passed";
+/// "nothing passed", "27 % passed" or, of a base with a gap, "27 % of the grains below its gap passed".
+std::string passed_text(const FinishedStage& stage) {
+    const erosion::FilterView& view = result_of(stage).filter;
+    return view.passed > 0
+               ? fmt::format(
+                     "{} {}passed", percent_text(view.passed), view.base_gap ? "of the grains below its gap " : ""
+                 )
+               : "nothing passed";
 }
 
 /// "the filter holds: nothing passed, the base came 1.5 mm deep, and motion ended."
@@ -57,8 +62,8 @@ std::string short_answer(const FinishedStage& stage) {
     const MigrationHold& end = end_of(stage);
     const bool ended = has_ended(result_of(stage));
     return fmt::format(
-        "{}: {}, the base came {} deep, and {}.", words_of(verdict_on(stage)), passed_text(end), millimeters(end.depth),
-        ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
+        "{}: {}, the base came {} deep, and {}.", words_of(verdict_on(stage)), passed_text(stage),
+        millimeters(end.depth), ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
     );
 }
 
@@ -206,13 +211,16 @@ std::vector<Headline> filter_headlines(const Stages& stages) {
             break;
         }
         const MigrationHold& end = end_of(*stage);
+        const erosion::FilterView& view = result_of(*stage).filter;
         const bool ended = has_ended(result_of(*stage));
         Headline card{
-            percent_text(end.eroded_mass_share), fmt::format("Passed at D15/d85 = {}", ratio_text(*stage)),
+            percent_text(view.passed), fmt::format("Passed at D15/d85 = {}", ratio_text(*stage)),
             fmt::format(
-                "{} beyond the interface, {} deep", percent_text(end.entered_mass_share), millimeters(end.depth)
+                "{}{} beyond the interface, {} deep",
+                view.base_gap ? "of the grains below the base's gap; of the base " : "",
+                percent_text(end.entered_mass_share), millimeters(end.depth)
             )};
-        card.lead = ended || end.eroded_mass_share == 0 ? "" : "at least";
+        card.lead = ended || view.passed == 0 ? "" : "at least";
         card.caution = ended ? "" : percent_text(end.moving_mass_share) + " of the base still moved at the end.";
         cards.push_back(std::move(card));
     }
@@ -231,7 +239,8 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
     doubts.resize(std::min(doubts.size(), doubts_in_note));
     table.note = fmt::format(
         "{} The largest doubts: {} Passed: of the base's mass, across the exit; up to {} of it counts as a loss after "
-        "which a filter holds. Constriction: Kenney's, the largest sphere that finds a way through the filter.",
+        "which a filter holds. Of a base with a gap, both D15/d85 and what passed are of the grains below the gap. "
+        "Constriction: Kenney's, the largest sphere that finds a way through the filter.",
         fmt::join(sentences, " "), fmt::join(doubts, " "), percent_text(most_lost)
     );
     table.header = {
@@ -256,9 +265,8 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
         const erosion::FilterView& view = result_of(*stage).filter;
         table.rows.push_back(
             {stage->name(), ratio_text(*stage), short_number(end.gradient), hold_text(result_of(*stage)),
-             percent_text(end.eroded_mass_share), percent_text(end.moving_mass_share),
-             percent_text(end.entered_mass_share), short_number(1e3 * end.depth, 2),
-             short_number(view.constriction / view.filter_d15, 2),
+             percent_text(view.passed), percent_text(end.moving_mass_share), percent_text(end.entered_mass_share),
+             short_number(1e3 * end.depth, 2), short_number(view.constriction / view.filter_d15, 2),
              view.largest_eroded > 0 ? short_number(1e3 * view.largest_eroded, 2) : "–",
              std::string(words_of(verdict_on(*stage)))}
         );

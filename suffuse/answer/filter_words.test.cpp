@@ -31,7 +31,7 @@ struct FilterRun {
              .moving_mass_share = ended ? 0.0 : 0.71,
              .entered_mass_share = 0.57,
              .depth = 1.5e-3}};
-        result.filter = {.filter_d15 = 0.93e-3, .base_d85 = 0.31e-3, .constriction = 0.2e-3};
+        result.filter = {.filter_d15 = 0.93e-3, .base_d85 = 0.31e-3, .passed = eroded, .constriction = 0.2e-3};
         const nlohmann::json numbers = {
             {"largest_overlap", overlap}, {"mean_stress", 20e3}, {"stack", {{"base_stress", 12.0}}}};
         stages.push_back({&study, &variant, &stage, numbers, {.migration = result}});
@@ -47,6 +47,19 @@ TEST(FilterWords, JudgeByWhatLeftAndWhetherMotionEnded) {
     for (const auto& [eroded, ended, expected] : cases) {
         EXPECT_EQ(judge_filter(eroded, ended), expected) << eroded << ended;
     }
+}
+
+TEST(FilterWords, OfABaseWithAGapSayThatTheGrainsBelowItCount) {
+    FilterRun run;
+    run.add(0.28, true);
+    run.stages[0].findings.migration->filter.base_gap = 0.1e-3;
+    EXPECT_NE(
+        filter_verdict(filter_stages(run.stages)).front().find("28 % of the grains below its gap passed"),
+        std::string::npos
+    );
+    EXPECT_NE(
+        filter_headlines(filter_stages(run.stages)).front().detail.find("below the base's gap"), std::string::npos
+    );
 }
 
 TEST(FilterWords, AnswerInASentenceOfTwentyWordsAStage) {

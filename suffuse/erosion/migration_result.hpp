@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -66,6 +67,8 @@ struct BaseSizes {
 /// What shows whether a filter holds.
 struct FilterView {
     double filter_d15 = 0, base_d85 = 0; ///< of the grains that are there, by mass [m]; 0: no stack
+    std::optional<double> base_gap;      ///< its fine end: coarser grains of such a base do not count [m]
+    double passed = 0;                   ///< of the mass of base grains that count: eroded at the end [-]
     double constriction = 0;             ///< controlling, of the filter alone [m]
     double largest_eroded = 0;           ///< diameter of the largest base grain that left [m]; 0: none
     StackCut before, after;

@@ -237,18 +237,44 @@ TEST(FilterView, CutsEachGrainThatThePlaneMeetsInItsCircle) {
     }
 }
 
-TEST(FilterView, SharesWhatLeftAmongTheSizesOfTheBase) {
+/// A frictionless base that a filter does not hold; every other grain is smaller by `factor`.
+Migration lose_base_of_two_sizes(double factor) {
     dem::World world = two_lattices(8, 3, 2, 0);
     world.material.friction = 0;
-    for (std::size_t g = 0; g < world.grains.size(); g += 2) { // every other grain of the base is smaller
+    for (std::size_t g = 0; g < world.grains.size(); g += 2) {
         if (world.grains.fine[g] != 0) {
-            world.grains.radius[g] *= 0.8;
-            world.grains.mass[g] *= 0.8 * 0.8 * 0.8;
+            world.grains.radius[g] *= factor;
+            world.grains.mass[g] *= factor * factor * factor;
         }
     }
     MigrateSpec spec = downward(1);
     spec.hold_at_most = 0.1;
-    const Migration lost = migrate(world, spec);
+    return migrate(world, spec);
+}
+
+TEST(FilterView, OfABaseWithAGapCountsTheGrainsBelowIt) {
+    const Migration lost = lose_base_of_two_sizes(0.6);
+    const FilterView& view = lost.result.filter;
+    const double small = 0.6 * side / 8;
+    ASSERT_TRUE(view.base_gap);
+    EXPECT_NEAR(*view.base_gap, small, 1e-12);
+    EXPECT_NEAR(view.base_d85, small, 1e-12);
+    double all = 0, left = 0;
+    for (std::size_t k = 0; k < lost.ledger.size(); ++k) {
+        if (lost.ledger.diameter[k] < 1.1 * small) {
+            all += lost.ledger.mass[k];
+            left += lost.ledger.where[k] == Whereabouts::Eroded ? lost.ledger.mass[k] : 0;
+        }
+    }
+    EXPECT_GT(left, 0);
+    EXPECT_NEAR(view.passed, left / all, 1e-12);
+    EXPECT_LT(all, 0.3 * lost.result.fines_mass);
+}
+
+TEST(FilterView, SharesWhatLeftAmongTheSizesOfTheBase) {
+    const Migration lost = lose_base_of_two_sizes(0.8);
+    EXPECT_FALSE(lost.result.filter.base_gap) << "a factor of 1.25 is none";
+    EXPECT_NEAR(lost.result.filter.passed, eroded_mass(lost.ledger) / lost.result.fines_mass, 1e-12);
     const BaseSizes& sizes = lost.result.filter.sizes;
     ASSERT_GT(sizes.diameter.size(), 2U);
     EXPECT_TRUE(std::ranges::is_sorted(sizes.diameter));

@@ -228,7 +228,7 @@ void from_json(const nlohmann::json& json, MigrationHold& of) {
 
 SUFFUSE_MEMBERS(StackCut, width, along, across, radius, is_base)
 SUFFUSE_MEMBERS(BaseSizes, diameter, mass_share, entered, eroded)
-SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, constriction, largest_eroded, before, after, sizes)
+SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, base_gap, passed, constriction, largest_eroded, before, after, sizes)
 SUFFUSE_MEMBERS(SampleProfile, slices, step, porosity, fines, permeability)
 SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, profile, filter, sample)
 SUFFUSE_MEMBERS(PassedThroats, count, narrowest, last)

@@ -1,5 +1,6 @@
 #include "suffuse/run/migration_numbers.hpp"
 
+#include "suffuse/record/or_null.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/mobility_record.hpp"
 
@@ -29,6 +30,8 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"filter_permeability_after", rows.back().permeability / now.filter},
         {"filter_d15", migration.result.filter.filter_d15},
         {"base_d85", migration.result.filter.base_d85},
+        {"base_gap", or_null(migration.result.filter.base_gap)},
+        {"passed_mass_share", migration.result.filter.passed},
         {"size_ratio", migration.result.filter.filter_d15 / migration.result.filter.base_d85},
         {"controlling_constriction", migration.result.filter.constriction},
         {"largest_eroded", migration.result.filter.largest_eroded},
