@@ -31,6 +31,21 @@ def test_a_hold_that_is_cut_is_a_warning():
         pocket().migrate([2.0], hold_at_most="0.01 s", still_for="0.005 s")
 
 
+def test_fed_grains_enter_with_the_water_and_are_accounted_for():
+    world = pocket()
+    fine = float(world.grains.mass[3])
+    with pytest.warns(UserWarning, match="motion had not ended"):
+        found = world.migrate([0.5], exit="2 mm", feed="40 kg/m3", hold_at_most="0.2 s")
+    grains = found["grains"]
+    entered = ~numpy.isnan(grains["entered"])
+    assert entered.sum() > 3 and not entered[0], "the one that was there has never entered"
+    assert (numpy.diff(grains["entered"][entered]) > 0).all()
+    assert found["fed_mass_share"] == pytest.approx(grains["mass"][entered].sum() / fine)
+    left = numpy.array(grains["fate"]) == "eroded"
+    assert found["eroded_mass_share"] == pytest.approx(grains["mass"][left].sum() / fine)
+    assert len(world.grains.radius) == 3 + (~left).sum()
+
+
 def test_what_ends_the_call_leaves_the_world_as_it_was():
     world = pocket()
     before = numpy.array(world.grains.position)

@@ -27,7 +27,8 @@ json two_panels(const char* field, const char* title, const char* format) {
     json chart = json::parse(R"json({
         "vconcat": [
             {"width": 480, "height": 200, "mark": {"type": "line", "strokeWidth": 2},
-             "encoding": {"y": {"field": "eroded", "type": "quantitative", "title": "eroded, of the fines' mass [%]"}}},
+             "encoding": {"y": {"field": "eroded", "type": "quantitative", "title": "eroded, of the fines' mass [%]",
+                                "scale": {"domain": {"unionWith": [0, 1]}}}}},
             {"width": 480, "height": 200, "mark": {"type": "line", "strokeWidth": 2},
              "encoding": {"y": {"field": "permeability", "type": "quantitative",
                                 "title": "permeability, of that at first [%]"}}}

@@ -8,6 +8,7 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/packing/stack.hpp"
 #include "suffuse/plan/price_preparation.hpp"
+#include "suffuse/plan/price_test.hpp"
 #include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
 #include "suffuse/triaxial/run_path.hpp"
@@ -29,21 +30,11 @@ constexpr Range first_relaxation{600, 4'500}, next_relaxation{50, 1'200};
 constexpr Range rest_under_load{150, 4'500};      // after the ramp of a stress probe
 constexpr Range rest_under_strain{150, 500};      // of a stiffness
 constexpr Range rest_after_removal{1'500, 8'000}; // after many grains were taken at once
-constexpr Range balance_after_removal{0, 150}, balance_at_stress{0, 500};
+constexpr Range balance_after_removal{0, 150};
 constexpr int endless = 5;                // passes that "until nothing leaves" may add to those specified ...
 constexpr int endless_travel = 30;        // ... where fines travel: 19 to 26 seen
 constexpr Range slow_collapse{0.55, 1.1}; // of the steps in which the largest rate would close what removal opened
 constexpr double swept_rattlers = 0.65;   // of the fines without load, at least this share leaves with an erosion
-
-// Axial strain until a stress: of samples that carry it elastically, deviator stress over strain, over the contact
-// modulus; of loose ones, that yield, strain = this x eta/(limit - eta) with eta = q/p [-].
-constexpr double stiffest = 0.25, softest = 0.07, yielding_coordination = 4;
-constexpr double loose_limit = 0.85, least_distance = 0.05;
-constexpr Range loose_strain{0.002, 0.02};
-
-// How far off the time step is, as a factor on the steps; a loose sample at constant volume loses its contacts and
-// steps faster.
-constexpr Range time_step_error{0.85, 1.2}, liquefied{0.5, 1.1};
 
 // What the made-up packing of measure_speed leaves out: recording, files, other work of the machine.
 constexpr Range price_error{0.75, 1.35};
@@ -136,6 +127,8 @@ public:
 
     StagePrice operator()(const packing::CompactSpec& spec) { return price_compaction(case_, variant_, spec, sample_); }
 
+    StagePrice operator()(const triaxial::TriaxialSpec& spec) { return price_test(case_, variant_, spec, sample_); }
+
     StagePrice operator()(const dem::SettleSpec& spec) {
         for (const cell::AxisControl& axis : spec.loading.axis) {
             if (axis.control == cell::Control::Stress && axis.value > 0) {
@@ -148,32 +141,6 @@ public:
     StagePrice operator()(const dem::AdvanceSpec& spec) {
         const auto steps = static_cast<double>(spec.steps);
         return {.steps = {steps, steps}, .memory_a_grain = grain_memory, .basis = "as specified"};
-    }
-
-    StagePrice operator()(const triaxial::TriaxialSpec& spec) {
-        const double rate = triaxial::strain_rate_of(spec, variant_.material, sample_.median, sample_.pressure);
-        const bool is_loose = sample_.coordination < yielding_coordination;
-        take_critical_state(sample_); // within the first percents of strain
-        const double dt = triaxial_time_step(spec);
-        const double a_strain = 1 / (rate * dt); // steps
-        if (triaxial::count_legs(spec) > 1 || !spec.stresses.empty()) {
-            return price_legs(spec, a_strain);
-        }
-        const std::string pace = fmt::format("at {:.3g} 1/s (inertial number {:.1e})", rate, spec.inertial_number);
-        if (spec.stops_at_stress()) {
-            const Range strain = strain_until(spec, is_loose);
-            sample_.pressure /= 1 - std::min(specified_stress_ratio(spec), 2.0) / 3; // the lateral stress is held
-            return {
-                .steps = a_strain * strain + waited(case_, balance_at_stress),
-                .memory_a_grain = grain_memory,
-                .basis = fmt::format("until a stress, at most {:.3g} % {}, then settling", 100 * spec.strain, pace)};
-        }
-        const bool liquefies = spec.path == triaxial::Path::Undrained && is_loose;
-        const Range error = spec.time_step > 0 ? Range{1, 1} : liquefies ? liquefied : time_step_error;
-        return {
-            .steps = a_strain * spec.strain * error,
-            .memory_a_grain = grain_memory,
-            .basis = fmt::format("{:.3g} % {}", 100 * spec.strain, pace)};
     }
 
     StagePrice operator()(const triaxial::StressProbeSpec& spec) {
@@ -326,33 +293,6 @@ private:
             )};
     }
 
-    /// Of a test that turns: its strains, and the bursts in which it eases to each turn and comes back to its pace.
-    [[nodiscard]] StagePrice price_legs(const triaxial::TriaxialSpec& spec, double a_strain) {
-        constexpr Range turning{1'500, 4'000}; // steps
-        const double modulus = as_pressed(sample_, variant_.material).modulus;
-        const int legs = triaxial::count_legs(spec);
-        double stress = 0, strain = 0; // that the legs go through, at least
-        if (spec.cycles) {
-            stress = 4.0 * legs * spec.cycles->csr.value_or(0) * sample_.pressure;
-            strain = 2.0 * legs * spec.cycles->strain.value_or(0);
-        }
-        for (const double to : spec.stresses) {
-            stress += std::abs(to - sample_.pressure);
-            sample_.pressure = to;
-        }
-        const Range strained{strain + stress / modulus / stiffest, strain + stress / modulus / softest};
-        return {
-            .steps = a_strain * strained + static_cast<double>(legs) * turning +
-                     (spec.cycles ? Range{} : waited(case_, balance_at_stress)),
-            .memory_a_grain = grain_memory,
-            .basis = fmt::format("{} turns at most (inertial number {:.1e})", legs, spec.inertial_number)};
-    }
-
-    [[nodiscard]] double triaxial_time_step(const triaxial::TriaxialSpec& spec) const {
-        const dem::Lent lent = triaxial::lent_during(spec, variant_.material);
-        return spec.time_step > 0 ? spec.time_step : settled_time_step(sample_, variant_.material, lent);
-    }
-
     /// Of the ramp of a pass, in the mean.
     [[nodiscard]] static double levels_of_ramps(const erosion::ErodeSpec& spec) {
         const int passes = 1 + static_cast<int>(spec.later_passes.size());
@@ -367,28 +307,6 @@ private:
     [[nodiscard]] static Range probe(const erosion::ProbeSpec& spec, double probes) {
         const double steps = (probes + 1) * static_cast<double>(spec.ramp + spec.watch);
         return {steps, steps};
-    }
-
-    /// On the drained path; undrained and constant-mean ones end below [-].
-    [[nodiscard]] double specified_stress_ratio(const triaxial::TriaxialSpec& spec) const {
-        if (spec.stress_ratio) {
-            return *spec.stress_ratio;
-        }
-        const double q = *spec.deviator_stress;
-        return q / (sample_.pressure + q / 3);
-    }
-
-    /// Axial strain until a deviator stress is reached [-].
-    [[nodiscard]] Range strain_until(const triaxial::TriaxialSpec& spec, bool is_loose) const {
-        const double ratio = specified_stress_ratio(spec);
-        const auto at_most = [&](double strain) { return std::min(strain, spec.strain); };
-        if (is_loose) {
-            const Range strain = ratio / std::max(loose_limit - ratio, least_distance) * loose_strain;
-            return {at_most(strain.least), at_most(strain.most)};
-        }
-        const double q = ratio * sample_.pressure / std::max(1 - ratio / 3, 0.1);
-        const double strain = q / as_pressed(sample_, variant_.material).modulus;
-        return {at_most(strain / stiffest), at_most(strain / softest)};
     }
 
     /// Whether `auto` resolves is known when it has the network's answer: up to as many as that.

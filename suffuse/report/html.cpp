@@ -27,6 +27,12 @@ std::string with_powers(std::string text) {
     return text;
 }
 
+/// Words between back quotes are code.
+std::string set_text(const std::string& text) {
+    static const std::regex quoted("`([^`]+)`");
+    return std::regex_replace(with_powers(with_indices(escaped(text))), quoted, "<code>$1</code>");
+}
+
 } // namespace
 
 std::string with_indices(std::string html) {
@@ -43,7 +49,7 @@ std::string html_table(
     const auto cell = [&numeric](const char* tag, std::size_t column, const std::string& text) {
         const bool right = column < numeric.size() && numeric[column];
         const char* const kind = right ? " class=\"number\"" : text.size() > long_text ? " class=\"long\"" : "";
-        return fmt::format("<{0}{1}>{2}</{0}>", tag, kind, with_powers(with_indices(escaped(text))));
+        return fmt::format("<{0}{1}>{2}</{0}>", tag, kind, set_text(text));
     };
     // Wide tables scroll inside their own frame, which the keyboard must be able to reach.
     std::string out = fmt::format(
@@ -97,9 +103,7 @@ std::string html_table(const figures::Table& table, std::size_t most_rows) {
 }
 
 std::string typeset(const std::string& text) {
-    static const std::regex quoted("`([^`]+)`");
-    const std::string set = with_powers(with_indices(escaped(kept_together(text))));
-    return std::regex_replace(set, quoted, "<code>$1</code>");
+    return set_text(kept_together(text));
 }
 
 std::string html_list(const std::vector<std::string>& lines, std::string_view css_class) {

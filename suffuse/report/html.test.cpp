@@ -10,6 +10,7 @@ namespace {
 TEST(Html, WhatStandsInBackticksIsCodeAndStaysEscaped) {
     EXPECT_EQ(typeset("take `a<b>` or `order`"), "take <code>a&lt;b&gt;</code> or <code>order</code>");
     EXPECT_EQ(typeset("one ` alone"), "one ` alone");
+    EXPECT_NE(html_table({"a"}, {{"take `b`"}}, {}, "c").find("<td>take <code>b</code></td>"), std::string::npos);
 }
 
 TEST(Html, IndicesOfOurSymbolsAreSetLowAndNamesOfTheUserStay) {
