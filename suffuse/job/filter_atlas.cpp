@@ -38,7 +38,7 @@ std::string place_text(double ratio, double width) {
     return fmt::format("D15/d85 {}, d85/d15 {}", short_number(ratio), short_number(width));
 }
 
-/// "2.7 ± 0.4 % passes", "at least 30 % passes", "nothing passes".
+/// "2.7 % passes", "at least 30 % passes", "nothing passes".
 std::string passage_text(const FilterNode& node) {
     const std::string share = node.passed.mean == 0 ? "nothing" : percent_text(node.passed.mean);
     return fmt::format("{}{} passes", node.ended || node.passed.mean == 0 ? "" : "at least ", share);
