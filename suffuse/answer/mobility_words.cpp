@@ -16,6 +16,7 @@ using study::MobilityStory;
 using study::Scatter;
 
 constexpr double as_good_as_equal = 1.3; // of two gradients: nearer than samples of one soil are
+constexpr double much_sifting = 0.1;     // of the fines' mass: then the gradient that moves a tenth says little
 
 std::string gradient_text(const Scatter& gradient) {
     return gradient.standard_deviation > 0 ? fmt::format("{:.2f} ± {:.2f}", gradient.mean, gradient.standard_deviation)
@@ -40,9 +41,14 @@ bool goes_to_heave(const MobilityStory& story) {
     return story.heave.seeds > 0 && end_of_ramp(story) >= story.heave.mean;
 }
 
-/// "0.30", "0.30 or less".
-std::string reached_text(const Scatter& gradient, bool at_most) {
-    return gradient_text(gradient) + (at_most ? " or less" : "");
+/// Ramps know a gradient to 0.01.
+bool is_almost_none(double gradient) {
+    return gradient < 0.005;
+}
+
+/// "i = 0.30", "i = 0.30 or less", "i < 0.01". @param name "i = " where it is not said yet
+std::string reached_text(const Scatter& gradient, bool at_most, const char* name) {
+    return is_almost_none(gradient.mean) ? "i < 0.01" : name + gradient_text(gradient) + (at_most ? " or less" : "");
 }
 
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51".
@@ -52,9 +58,10 @@ std::string what_moves(const MobilityStory& story) {
     if (!is_met(story.moves_1, story) || heaves_first) {
         return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end);
     }
-    return fmt::format("moves 1 % of the fines at i = {}, ", reached_text(story.moves_1, story.at_most_1)) +
-           (is_met(story.moves_10, story) ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10))
-                                          : fmt::format("less than a tenth {}", end));
+    return fmt::format("moves 1 % of the fines at {}, ", reached_text(story.moves_1, story.at_most_1, "i = ")) +
+           (is_met(story.moves_10, story)
+                ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10, ""))
+                : fmt::format("less than a tenth {}", end));
 }
 
 std::string moved_text(double share) {
@@ -149,16 +156,16 @@ bool do_disagree(const MobilityStory& story) {
 }
 
 Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, bool at_most, std::string label) {
-    const std::string value = (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
+    const std::string value =
+        is_almost_none(gradient.mean) ? "< 0.01" : (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
     if (gradient.seeds > 1) {
         return with_certainty(
             {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)},
             static_cast<std::size_t>(gradient.seeds)
         );
     }
-    return {
-        value, std::move(label), "within a step of the ramp; no replicate",
-        "± " + fixed(within_step(story, gradient.mean), 2)};
+    const std::string spread = is_almost_none(gradient.mean) ? "" : "± " + fixed(within_step(story, gradient.mean), 2);
+    return {value, std::move(label), "within a step of the ramp; no replicate", spread};
 }
 
 Headline safety_headline(const MobilityStory& story) {
@@ -330,6 +337,12 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
 std::vector<std::string> short_verdict(const MobilityStory& story) {
     std::vector<std::string> lines = {fmt::format("{} {}", subject_of(story), what_moves_in_short(story))};
     lines.front() += heave_text(story, fmt::format("{:.2f}", story.heave.mean)) + ".";
+    if (const double share = story.one().sifting_mass_share; share > much_sifting) {
+        lines.push_back(fmt::format(
+            "{} of the fines fall through the skeleton without any flow: for them no gradient is critical.",
+            moved_text(share)
+        ));
+    }
     if (!story.specified_gradient) {
         return lines;
     }

@@ -186,6 +186,21 @@ TEST(MobilityWords, MentionFinesThatSift) {
     erosion::MobilityResult sifting = upward();
     sifting.sifts = true, sifting.sifting_mass_share = 0.05;
     EXPECT_NE(remarks_on(story_of({sifting}).front()).back().find("5 % of the fines' mass sift"), std::string::npos);
+    EXPECT_EQ(short_verdict(story_of({sifting}).front()).size(), short_verdict(story_of({upward()}).front()).size());
+    sifting.sifting_mass_share = 0.5;
+    EXPECT_EQ(
+        short_verdict(story_of({sifting}).front())[1],
+        "50 % of the fines fall through the skeleton without any flow: for them no gradient is critical."
+    );
+}
+
+TEST(MobilityWords, CallAGradientThatRoundsToZeroLessThanTheSmallestKnown) {
+    erosion::MobilityResult loose = upward();
+    loose.moves_1 = 0.001, loose.moves_10 = 0.002, loose.specified_gradient.reset();
+    const MobilityStory story = story_of({loose}).front();
+    EXPECT_NE(short_verdict(story).front().find("1 % of the fines at i < 0.01, a tenth at i < 0.01"), std::string::npos)
+        << short_verdict(story).front();
+    EXPECT_EQ(mobility_headlines(story).front().value, "< 0.01");
 }
 
 } // namespace
