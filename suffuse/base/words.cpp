@@ -72,8 +72,8 @@ std::string kept_together(std::string_view text) {
     for (std::size_t k = 0; k < text.size(); ++k) {
         const bool space = text[k] == ' ' && k > 0 && k + 1 < text.size();
         const bool unit = space && is_digit(text[k - 1]) && starts_with_unit(text.substr(k + 1));
-        const bool equals = space && (text[k - 1] == '=' || text[k + 1] == '=');
-        if (unit || equals) {
+        const auto relates = [](char c) { return c == '=' || c == '<'; };
+        if (unit || (space && (relates(text[k - 1]) || relates(text[k + 1])))) {
             out += no_break;
         } else {
             out += text[k];

@@ -23,7 +23,7 @@ std::string percent_beyond_noise(double percent);
 /// 10⁻⁵ for -5.
 std::string power_of_ten(int exponent);
 
-/// The same text with spaces that do not break between a number and its unit, nor around "=".
+/// The same text with spaces that do not break between a number and its unit, nor around "=" and "<".
 std::string kept_together(std::string_view text);
 
 /// "Pass 1" for "pass 1": how a sentence begins.

@@ -27,6 +27,7 @@ TEST(Words, PowersOfTenAreWrittenAsSuch) {
 
 TEST(Words, ANumberAndItsUnitStayOnOneLine) {
     EXPECT_EQ(kept_together("above 0.1 % at i = 0.05 in all"), "above 0.1\u00a0% at i\u00a0=\u00a00.05 in all");
+    EXPECT_EQ(kept_together("at i < 0.01"), "at i\u00a0<\u00a00.01");
     EXPECT_EQ(kept_together("100 kPa, 2 mmx"), "100\u00a0kPa, 2 mmx");
     EXPECT_EQ(kept_together(" = "), " = ");
     EXPECT_EQ(kept_together(""), "");
