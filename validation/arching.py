@@ -47,7 +47,7 @@ def arrivals_a_second(world, fraction, permeability):
 
 
 def run(friction, ratio, fraction, seed):
-    """How many grains have left, whether any did in the last third of the time, and what is left of the permeability."""
+    """How many grains have left, the longest time between two of them, and what is left of the permeability."""
     world = lattice(ratio, friction, int(seed))
     cell, position, radius = world.cell, world.grains.position[:LAYERS], world.grains.radius[:LAYERS]
     alone = suffuse.seep(cell, position, radius, direction="z").permeability
@@ -61,12 +61,12 @@ def run(friction, ratio, fraction, seed):
         )
     left = numpy.sort(found["grains"]["left"])
     left = left[numpy.isfinite(left)]
-    last = left[-1] if left.size else 0.0
     pauses = numpy.diff(left)
+    k_end = float(found["rows"]["permeability"][-1] / alone)
     return {
         "passed": int(left.size), "fed": int(numpy.isfinite(found["grains"]["entered"]).sum()),
-        "clogged": int(last < time * 2 / 3), "longest_pause": float(pauses.max() * rate) if pauses.size else 0.0,
-        "k_end": float(found["rows"]["permeability"][-1] / alone), "overlap": found["largest_overlap"],
+        "clogged": int(k_end < 0.5), "longest_pause": float(pauses.max() * rate) if pauses.size else 0.0,
+        "k_end": k_end, "overlap": found["largest_overlap"],
     }
 
 
