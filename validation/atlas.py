@@ -5,7 +5,6 @@ A row is one sample under one flow. They lie in suffuse/atlas/gradients.csv, whi
 there are not computed again, so that it can be made in portions: ./run validation/atlas.py --ratio 6.5 --density ends
 --seeds 1. Without words it makes all. It ends with a map of what is there; --draw makes the map alone."""
 
-import argparse
 import math
 import sys
 
@@ -97,20 +96,12 @@ def draw_map(given, samples):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], add_help=False)
-    parser.add_argument("--ratio", type=float, choices=RATIOS, action="append")
-    parser.add_argument("--fines", type=int, choices=CONTENTS, action="append", help="content [%%]")
-    parser.add_argument("--density", choices=DENSITIES, action="append")
-    parser.add_argument("--seeds", type=int, default=len(SEEDS), help="the first so many")
-    parser.add_argument("--draw", action="store_true", help="the map of what is there, alone")
-    portion, rest = parser.parse_known_args()
-    sys.argv[1:] = rest
-    given = common.options(__doc__)
+    given = common.options(__doc__, {"ratio": RATIOS, "fines": CONTENTS, "density": list(DENSITIES)}, len(SEEDS))
     samples = common.Samples(given, "atlas", home=HOME)
-    for study in [] if portion.draw else portion.density or DENSITIES:
-        for seed in SEEDS[:portion.seeds]:
-            for ratio in portion.ratio or RATIOS:
-                for content in portion.fines or CONTENTS:
+    for study in [] if given.draw else given.density:
+        for seed in SEEDS[:given.seeds]:
+            for ratio in given.ratio:
+                for content in given.fines:
                     make(given, samples, study, ratio, content, seed)
     draw_map(given, samples)
 

@@ -22,13 +22,21 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PRESSURE, DENSITY, DIAMETER = 100e3, 2600.0, 0.2e-3  # only their ratios to stiffness and rate matter
 
 
-def options(description):
-    """The command line."""
+def options(description, portions=None, seeds=0):
+    """The command line. portions: values by name, of which a table can be made in part, with the first of so many seeds."""
     parser = argparse.ArgumentParser(description=description)
+    portions = portions or {}
+    for name, values in portions.items():
+        parser.add_argument(f"--{name}", type=type(values[0]), choices=values, action="append", help="this alone; may be repeated")
+    if portions:
+        parser.add_argument("--seeds", type=int, default=seeds, help="the first so many")
+        parser.add_argument("--draw", action="store_true", help="show what is there, alone")
     parser.add_argument("--quick", action="store_true", help="fewer and smaller samples: what ./test --long checks")
     parser.add_argument("-o", "--output", type=pathlib.Path, help="folder of results [build/validation]")
     parser.add_argument("-j", "--threads", type=int, default=1, help="threads; they change no bit")
     given = parser.parse_args()
+    for name, values in portions.items():
+        setattr(given, name, getattr(given, name) or values)
     given.output = given.output or ROOT / "build" / ("validation-quick" if given.quick else "validation")
     given.output.mkdir(parents=True, exist_ok=True)
     suffuse.set_threads(given.threads)

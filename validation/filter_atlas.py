@@ -5,7 +5,6 @@ A row is one sample of filter_atlas.toml at one gradient. They lie in suffuse/at
 program. Rows that are there are not computed again, so that it can be made in portions: ./run validation/filter_atlas.py
 --ratio 5 --width 1.15 --seeds 1. Without words it makes all. It ends with a table and a picture of what is there; --draw makes these alone."""
 
-import argparse
 import sys
 
 import common
@@ -94,18 +93,11 @@ def print_table(samples):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0], add_help=False)
-    parser.add_argument("--ratio", type=float, choices=RATIOS, action="append")
-    parser.add_argument("--width", type=float, choices=WIDTHS, action="append", help="d85/d15 of the base")
-    parser.add_argument("--seeds", type=int, default=len(SEEDS), help="the first so many")
-    parser.add_argument("--draw", action="store_true", help="table and picture of what is there, alone")
-    portion, rest = parser.parse_known_args()
-    sys.argv[1:] = rest
-    given = common.options(__doc__)
+    given = common.options(__doc__, {"ratio": RATIOS, "width": WIDTHS}, len(SEEDS))
     samples = common.Samples(given, "filters", home=HOME)
-    for seed in [] if portion.draw else SEEDS[:portion.seeds]:
-        for width in portion.width or WIDTHS:
-            for ratio in portion.ratio or RATIOS:
+    for seed in [] if given.draw else SEEDS[:given.seeds]:
+        for width in given.width:
+            for ratio in given.ratio:
                 if width == WIDTHS[0] or ratio <= LARGEST_OF_WIDE:
                     make(given, samples, ratio, width, seed)
     print_table(samples)

@@ -19,7 +19,8 @@ double stokes_rate(double diameter, double mass, double viscosity) {
 }
 
 GrainWater::GrainWater(
-    const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid
+    const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid,
+    double coarse_permeability
 ) {
     const grains::Grains& grains = world.grains;
     std::vector<std::uint32_t> standing;
@@ -33,6 +34,7 @@ GrainWater::GrainWater(
         }
     }
     seepage_ = flow::solve_seepage(world.cell, position, radius, {.gradient = 1, .direction = direction}, fluid);
+    flow::limit_to_coarse(seepage_, fluid.conductance, coarse_permeability);
     const pores::Pores& pores = seepage_.network.pores;
     pore_velocity_ = flow::pore_velocities(seepage_.network, position, radius, seepage_.field.flux);
     locator_.emplace(seepage_.network, position);

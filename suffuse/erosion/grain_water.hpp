@@ -20,9 +20,12 @@ double stokes_rate(double diameter, double mass, double viscosity);
 class GrainWater {
 public:
     /// Solves the flow among the grains that stand. @param goes 1 for a grain that does not resist, a row a grain
-    /// @param direction of the flow; @throws as flow::solve_seepage
+    /// @param direction of the flow
+    /// @param coarse_permeability of the coarse grains alone [m2], which by bounded drag limits it
+    /// @throws as flow::solve_seepage
     GrainWater(
-        const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid
+        const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid,
+        double coarse_permeability
     );
 
     /// Along the flow [m2].

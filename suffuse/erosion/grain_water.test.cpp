@@ -12,6 +12,7 @@ namespace suffuse::erosion {
 namespace {
 
 constexpr flow::Fluid water_of_test{};
+constexpr double without_limit = 1;
 
 /// Coarse grains at random, and four fine ones of two sizes.
 dem::World random_world() {
@@ -45,9 +46,9 @@ TEST(GrainWater, FlowsAmongTheGrainsThatStandAlone) {
     const dem::World world = random_world();
     const std::size_t all = world.grains.size();
     std::vector<std::uint8_t> goes(all, 0);
-    const GrainWater with(world, goes, {0, 0, 1}, water_of_test);
+    const GrainWater with(world, goes, {0, 0, 1}, water_of_test, without_limit);
     std::fill(goes.end() - 4, goes.end(), std::uint8_t{1});
-    const GrainWater without(world, goes, {0, 0, 1}, water_of_test);
+    const GrainWater without(world, goes, {0, 0, 1}, water_of_test, without_limit);
     const std::span<const Vec3> position(world.grains.position);
     const std::span<const double> radius(world.grains.radius);
     const flow::FlowSpec unit{.gradient = 1, .direction = {0, 0, 1}};
@@ -60,12 +61,27 @@ TEST(GrainWater, FlowsAmongTheGrainsThatStandAlone) {
     EXPECT_EQ(without.hindrance(), 1) << "no fine grain stands";
 }
 
+TEST(GrainWater, IsNoQuickerThanThatOfTheCoarseGrainsAloneAndPushesAsHard) {
+    const dem::World world = random_world();
+    const std::vector<std::uint8_t> goes(world.grains.size(), 0);
+    const GrainWater free(world, goes, {0, 0, 1}, water_of_test, without_limit);
+    const GrainWater limited(world, goes, {0, 0, 1}, water_of_test, free.permeability() / 1.25);
+    EXPECT_NEAR(free.permeability() / limited.permeability(), 1.25, 1e-12);
+    const Vec3 place = world.grains.position.back();
+    EXPECT_NEAR(norm(free.velocity_at(place)) / norm(limited.velocity_at(place)), 1.25, 1e-12);
+    for (std::uint32_t g = 0; g < world.grains.size(); ++g) {
+        EXPECT_EQ(limited.force(g), free.force(g));
+        const Vec3 push = world.grains.mass[g] * limited.rate(g) * limited.velocity(g);
+        EXPECT_LE(norm(push - limited.force(g)), 1e-12 * norm(push));
+    }
+}
+
 TEST(GrainWater, DragsAGrainThatGoesWithItByASquareOfItsSizeLess) {
     const dem::World world = random_world();
     const std::size_t all = world.grains.size();
     std::vector<std::uint8_t> goes(all, 0);
     std::fill(goes.end() - 2, goes.end(), std::uint8_t{1}); // one of each size
-    const GrainWater water(world, goes, {1, 0, 0}, water_of_test);
+    const GrainWater water(world, goes, {1, 0, 0}, water_of_test, without_limit);
     const auto small = static_cast<std::uint32_t>(all - 2), large = static_cast<std::uint32_t>(all - 1);
     EXPECT_NEAR(water.rate(small) / water.rate(large), 4, 1e-12);
     const double stokes = 18 * water_of_test.viscosity / (world.material.density * 0.06e-3 * 0.06e-3);
@@ -82,7 +98,7 @@ TEST(GrainWater, DragsAGrainThatGoesWithItByASquareOfItsSizeLess) {
 TEST(GrainWater, OfManyPlacesGoesAtDarcysVelocityOverThePorosity) {
     const dem::World world = random_world();
     const std::vector<std::uint8_t> goes(world.grains.size(), 0);
-    const GrainWater water(world, goes, {0, 0, 1}, water_of_test);
+    const GrainWater water(world, goes, {0, 0, 1}, water_of_test, without_limit);
     std::mt19937_64 random(7);
     std::uniform_real_distribution<double> anywhere(0, 4e-3);
     Vec3 sum;

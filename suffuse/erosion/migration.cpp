@@ -132,8 +132,16 @@ void bring_to_rest(dem::World& world, grains::Motion motion) {
 /// Gives the fines of a weightless sample their weight, and lets them come to rest on a skeleton that is held.
 WeighedCopy
 rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
+    const grains::Grains& grains = sample.grains;
     const std::vector<Vec3> weight = buoyant_weights(sample, *spec.gravity, around.fluid);
-    const GrainWater water(sample, std::vector<std::uint8_t>(sample.grains.size()), spec.direction, around.fluid);
+    migration.coarse_permeability =
+        flow::coarse_permeability(
+            sample.cell, grains.position, grains.radius, grains.fine, spec.direction, around.fluid
+        )
+            .value_or(0);
+    const GrainWater water(
+        sample, std::vector<std::uint8_t>(grains.size()), spec.direction, around.fluid, migration.coarse_permeability
+    );
     std::vector<std::uint8_t> held;
     if (migration.stack.is_stack()) {
         migration.at_first = migration.now = layer_gradients(water.seepage(), migration.stack, spec.direction);
@@ -201,7 +209,8 @@ bool is_spent(const Migration& migration, const MigrateSpec& spec) {
 void note_slices(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
     if (migration.result.sample.slices > 0) {
         const GrainWater water(
-            migration.world, goes_by_row(migration.world, migration.ledger), spec.direction, around.fluid
+            migration.world, goes_by_row(migration.world, migration.ledger), spec.direction, around.fluid,
+            migration.coarse_permeability
         );
         note_sample_profile(migration.world, water.seepage(), spec.direction, migration.result.sample);
     }

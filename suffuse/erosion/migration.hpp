@@ -26,12 +26,13 @@ struct Migration {
     double time = 0, energy = 0; ///< since the first gradient [s], [J]
     double looked = 0;           ///< time at which motion was last looked at [s]
     std::int64_t steps = 0;
-    double time_step = 0;       ///< true, of the last burst [s]
-    double largest_overlap = 0; ///< over the smaller radius, of a grain that moves, at the ends of rows [-]
-    double hindrance = 1;       ///< of the last flow: drag over Stokes' of the median resting fine grain [-]
-    double solids_mass = 0;     ///< of the sample before [kg]
-    Mat3 stress;                ///< mean, of the sample before [Pa]
-    Stack stack;                ///< where its layers are; none: one soil
+    double time_step = 0;           ///< true, of the last burst [s]
+    double largest_overlap = 0;     ///< over the smaller radius, of a grain that moves, at the ends of rows [-]
+    double hindrance = 1;           ///< of the last flow: drag over Stokes' of the median resting fine grain [-]
+    double coarse_permeability = 0; ///< of the coarse grains alone, as they are held; 0 where no water passes [m2]
+    double solids_mass = 0;         ///< of the sample before [kg]
+    Mat3 stress;                    ///< mean, of the sample before [Pa]
+    Stack stack;                    ///< where its layers are; none: one soil
     LayerGradients at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
     LayerGradients now;      ///< of the last flow
     Feeding feeding;

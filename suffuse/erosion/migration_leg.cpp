@@ -69,7 +69,9 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
           beat(around.pulse, part, steps + more);
       }),
       ledger_(before.ledger), present_(find_present(ledger_)),
-      water_(before.world, goes_by_row(before.world, ledger_), spec.direction, around.fluid),
+      water_(
+          before.world, goes_by_row(before.world, ledger_), spec.direction, around.fluid, before.coarse_permeability
+      ),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
       throats_(before.world, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
       gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
@@ -79,7 +81,9 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
     }
     const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
     const double flow = specific * water_.permeability() / around.fluid.viscosity;
-    power_ = specific * flow * cell::volume(before.world.cell);
+    push_ = specific * cell::volume(before.world.cell);
+    power_ = push_ * flow;
+    fastest_ = std::max(1.0, before.coarse_permeability / water_.permeability());
     discharge_ = flow * cell::volume(before.world.cell) / period_along(before.world.cell.h, spec.direction);
     for (std::uint32_t g = 0; g < rate_.size(); ++g) {
         rate_[g] = water_.rate(g);
@@ -97,7 +101,9 @@ void Leg::go(double time, double most) {
     const double begin = copy_.world().clock.time;
     do {
         burst(std::min(burst_time_, most - took_));
-        took_ = (copy_.world().clock.time - begin) * to_true_;
+        const double now = (copy_.world().clock.time - begin) * to_true_;
+        flowed_ += speed_ * (now - took_);
+        took_ = now;
         note_travel(time + took_);
     } while (took_ < most * nearly_whole && !is_flow_old());
     for (std::size_t p = 0; p < present_.size(); ++p) {
@@ -107,13 +113,14 @@ void Leg::go(double time, double most) {
 
 void Leg::enter(Migration& migration) {
     migration.time += took_;
-    migration.energy += power_ * took_;
+    migration.energy += power_ * flowed_;
     migration.steps += copy_.steps();
     migration.time_step = copy_.time_step() * to_true_;
     migration.hindrance = water_.hindrance();
     migration.result.holds.back().held_for += took_;
-    migration.result.holds.back().permeability = water_.permeability();
-    migration.now = layers_;
+    const double speed = flowed_ / took_, permeability = water_.permeability() * speed;
+    migration.result.holds.back().permeability = permeability;
+    migration.now = {speed * layers_.base, speed * layers_.filter};
     const double sample_gradient = pull_ / strength(spec_);
     migration.result.holds.back().sample_gradient = sample_gradient;
     note_whereabouts();
@@ -122,9 +129,9 @@ void Leg::enter(Migration& migration) {
         .time = migration.time,
         .gradient = gradient_,
         .sample_gradient = sample_gradient,
-        .base_gradient = layers_.base * sample_gradient,
-        .filter_gradient = layers_.filter * sample_gradient,
-        .permeability = water_.permeability(),
+        .base_gradient = migration.now.base * sample_gradient,
+        .filter_gradient = migration.now.filter * sample_gradient,
+        .permeability = permeability,
         .eroded_mass = eroded_mass(ledger_),
         .energy = migration.energy};
     for (std::size_t k = 0; k < ledger_.size(); ++k) {
@@ -149,23 +156,45 @@ bool Leg::has_moved(std::size_t p) const {
     return norm(copy_.position(p) - start_[p]) > spec_.solve_after * diameter(p);
 }
 
-/// Velocity of the water at a grain [m/s]: where it stands, that which does not push it; where it has moved, or goes
-/// with the water, that in the pore where it is.
-Vec3 Leg::water_at(std::size_t p) const {
+/// Of a grain [m/s].
+Vec3 Leg::velocity(std::size_t p) const {
+    return copy_.world().grains.velocity[copy_.fines()[p]] / to_true_;
+}
+
+/// Velocity of the network's water at a grain [m/s]: where it stands, that which does not push it; where it has moved,
+/// or goes with the water, that in the pore where it is.
+Vec3 Leg::network_at(std::size_t p) const {
     const bool stands = !goes(p) && !has_moved(p);
     return pull_ * (stands ? water_.velocity(copy_.fines()[p]) : water_.velocity_at(copy_.position(p)));
+}
+
+/// Over that of the network. Along the flow the gradient pushes the grains of the network, whose forces grow with that
+/// speed, and the moving grains, each by its own drag m c (u - v): what the network counts too much or too little for
+/// them the flow gets back or spends. It does not turn back.
+double Leg::speed_of_water() const {
+    const Vec3 along = spec_.direction / norm(spec_.direction);
+    double push = push_, resists = push_;
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::uint32_t g = copy_.fines()[p];
+        const double drag = copy_.world().grains.mass[g] * rate_[g]; // [N s/m]
+        const Vec3 counted = goes(p) ? Vec3{} : pull_ * water_.velocity(g);
+        push += drag * dot(velocity(p), along);
+        resists += drag * dot(network_at(p) - counted, along);
+    }
+    return std::clamp(push / resists, 0.0, fastest_);
 }
 
 /// Whether a grain goes with the water: it begins to where it is nearly as quick, and ceases where it comes to rest, at
 /// half the speed.
 bool Leg::goes_now(std::size_t p) const {
-    const Vec3 water = water_at(p), own = copy_.world().grains.velocity[copy_.fines()[p]] / to_true_;
+    const Vec3 water = water_at(p), own = velocity(p);
     return goes(p) ? norm(own) > 0.5 * (1 - spec_.with_water) * norm(water)
                    : !copy_.bears_load(p) && norm(own - water) < spec_.with_water * norm(water);
 }
 
 /// For a true time [s].
 void Leg::burst(double time) {
+    speed_ = speed_of_water();
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::uint32_t g = copy_.fines()[p];
         force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);

@@ -36,7 +36,7 @@ public:
     void enter(Migration& migration);
 
     /// That has gone through the sample [m3].
-    [[nodiscard]] double water() const { return discharge_ * took_; }
+    [[nodiscard]] double water() const { return discharge_ * flowed_; }
 
 private:
     [[nodiscard]] double diameter(std::size_t p) const { return ledger_.diameter[present_[p]]; }
@@ -44,7 +44,12 @@ private:
     [[nodiscard]] bool goes(std::size_t p) const { return ledger_.goes[present_[p]] != 0; }
 
     [[nodiscard]] bool has_moved(std::size_t p) const;
-    [[nodiscard]] Vec3 water_at(std::size_t p) const;
+    [[nodiscard]] Vec3 velocity(std::size_t p) const;
+    [[nodiscard]] Vec3 network_at(std::size_t p) const;
+
+    [[nodiscard]] Vec3 water_at(std::size_t p) const { return speed_ * network_at(p); }
+
+    [[nodiscard]] double speed_of_water() const;
     [[nodiscard]] bool goes_now(std::size_t p) const;
     [[nodiscard]] bool is_flow_old() const;
     void burst(double time);
@@ -63,9 +68,13 @@ private:
     double gradient_;                  ///< prescribed [-]
     LayerGradients layers_;            ///< of this flow
     double pull_;                      ///< the gradient of the cell, for a flow of standard gravity [-]
-    double power_ = 0;                 ///< of the flow [W]
-    double discharge_ = 0;             ///< [m3/s]
+    double push_ = 0;                  ///< of the gradient on water and grains of the cell [N]
+    double power_ = 0;                 ///< of the network's flow [W]
+    double discharge_ = 0;             ///< the same [m3/s]
+    double fastest_ = 1;               ///< `speed_` of the flow among the coarse grains alone
+    double speed_ = 1;                 ///< of the water over that of the network, as moving grains leave it
     double burst_time_ = 0, took_ = 0; ///< true [s]
+    double flowed_ = 0;                ///< integral of `speed_` over that time [s]
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
     std::vector<double> rate_;         ///< [1/s]
 };

@@ -151,9 +151,9 @@ KnownError known_error(Conductance law, const Mixture& mixture) {
     return {mixture.size_ratio > far_apart ? 0.20 : 0.12, 0.12, 0.30};
 }
 
-std::optional<double> raised_by_fines(
+std::optional<double> coarse_permeability(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius,
-    std::span<const std::uint8_t> fine, const Vec3& direction, const Fluid& fluid, double permeability
+    std::span<const std::uint8_t> fine, const Vec3& direction, const Fluid& fluid
 ) {
     expects(radius.size() == fine.size() && radius.size() == position.size(), "one mark and one place a grain");
     std::vector<Vec3> places;
@@ -168,7 +168,7 @@ std::optional<double> raised_by_fines(
         return std::nullopt;
     }
     const double alone = solve_seepage(cell, places, sizes, {1, direction}, fluid).permeability;
-    return alone > 0 ? std::optional(permeability / alone) : std::nullopt;
+    return alone > 0 ? std::optional(alone) : std::nullopt;
 }
 
 Doubt doubt_network(const Mixture& mixture, std::optional<double> raised_by_fines) {

@@ -71,11 +71,11 @@ Mixture describe_mixture(std::span<const double> radius, std::span<const std::ui
 /// Of the network under a law of conductances.
 KnownError known_error(Conductance law, const Mixture& mixture);
 
-/// `permeability` along a direction, with the fines, over that of the coarse grains alone [-]; nothing where there are
-/// not both. @throws as solve_seepage
-std::optional<double> raised_by_fines(
+/// Of the coarse grains alone, along a direction [m2]; nothing where grains are all of one kind, or where no water
+/// passes. @throws as solve_seepage
+std::optional<double> coarse_permeability(
     const cell::Cell& cell, std::span<const Vec3> position, std::span<const double> radius,
-    std::span<const std::uint8_t> fine, const Vec3& direction, const Fluid& fluid, double permeability
+    std::span<const std::uint8_t> fine, const Vec3& direction, const Fluid& fluid
 );
 
 /// The first that holds, in the order of `Doubt`.

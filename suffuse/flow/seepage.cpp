@@ -198,7 +198,11 @@ std::string words_of(const ClosedVoids& closed, const std::function<std::string(
     );
 }
 
-void slow_down(Seepage& s, double factor) {
+bool limit_to_coarse(Seepage& s, Conductance law, double coarse_permeability) {
+    if (law != Conductance::Bounded || !(coarse_permeability > 0) || !(s.permeability > coarse_permeability)) {
+        return false;
+    }
+    const double factor = s.permeability / coarse_permeability;
     for (std::vector<double>* column : {&s.conductance, &s.field.flux}) {
         for (double& each : *column) {
             each /= factor;
@@ -210,6 +214,7 @@ void slow_down(Seepage& s, double factor) {
     if (s.tensor) {
         *s.tensor = (1 / factor) * *s.tensor;
     }
+    return true;
 }
 
 void scale(Seepage& s, double factor) {

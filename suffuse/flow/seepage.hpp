@@ -68,9 +68,10 @@ Seepage solve_seepage(
     const Fluid& fluid
 );
 
-/// Divides all conductances, and with them fluxes, velocity and permeability: pressures and forces do not depend on a
-/// common factor.
-void slow_down(Seepage& seepage, double factor);
+/// Grains among the coarse ones can only lower the permeability. By bounded drag divides all conductances, and with
+/// them fluxes, velocity and permeability, where it is above that of the coarse grains alone [m2], if that is above 0;
+/// pressures and forces do not depend on a common factor. @return whether it was
+bool limit_to_coarse(Seepage& seepage, Conductance law, double coarse_permeability);
 
 /// Multiplies the pressure gradient, and with it everything that is linear in it: one solution serves all gradients.
 void scale(Seepage& seepage, double factor);

@@ -35,11 +35,9 @@ Water solve_water(
     mixture.overlap = water.network.overlap;
     mixture.channeling = water.network.channeling;
     flow::FlowSource& source = water.source;
-    source.raised_by_fines =
-        flow::raised_by_fines(cell, position, radius, fine, spec.direction, fluid, water.network.permeability);
-    if (fluid.conductance == flow::Conductance::Bounded && source.raised_by_fines.value_or(0) > 1) {
-        flow::slow_down(water.network, *source.raised_by_fines);
-        source.is_limited = true;
+    if (const auto coarse = flow::coarse_permeability(cell, position, radius, fine, spec.direction, fluid)) {
+        source.raised_by_fines = water.network.permeability / *coarse;
+        source.is_limited = flow::limit_to_coarse(water.network, fluid.conductance, *coarse);
     }
     source.doubt = flow::doubt_network(mixture, source.raised_by_fines);
     source.known_error = flow::known_error(fluid.conductance, mixture);
