@@ -135,6 +135,15 @@ void doubt_model(const MobilityStory& story, std::vector<Doubt>& doubts) {
     }
 }
 
+/// Grains of the sample on which a stage looked at its fines first: an erosion has removed some since.
+std::int64_t grains_at_first(const json& numbers) {
+    std::int64_t grains = numbers.at("grains").get<std::int64_t>();
+    for (const json& pass : numbers.value("passes", json::array())) {
+        grains += pass.at("removed").get<std::int64_t>();
+    }
+    return grains;
+}
+
 void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
     constexpr double wide = 10, many = 200;
     const std::optional<grains::Soil>& soil = story.first->variant->soil;
@@ -149,7 +158,7 @@ void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
         narrowest = std::min(narrowest, cell.at(k).at(k).get<double>());
     }
     const double width = narrowest / grading.diameter.back();
-    const std::int64_t coarse = numbers.at("grains").get<std::int64_t>() - std::ssize(story.one().id);
+    const std::int64_t grains = grains_at_first(numbers), coarse = grains - std::ssize(story.one().id);
     const double weight =
         std::max(wide / width, std::sqrt(many / static_cast<double>(std::max<std::int64_t>(1, coarse))));
     if (weight <= 1) {
@@ -158,8 +167,8 @@ void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
     const double factor = std::pow(std::max(1.0, wide / width), 3);
     const casefile::Study& study = *story.first->study;
     const std::string key = study.sample_size ? "sample_size.coarse_grains" : "particles";
-    const double count = study.sample_size ? factor * static_cast<double>(coarse)
-                                           : factor * static_cast<double>(numbers.at("grains").get<std::int64_t>());
+    const double count =
+        study.sample_size ? factor * static_cast<double>(coarse) : factor * static_cast<double>(grains);
     doubts.push_back(
         {weight,
          fmt::format(

@@ -110,6 +110,14 @@ TEST_F(Basis, EachDoubtSaysWhatWouldRemoveIt) {
     EXPECT_NE(first_doubt(story(20, 0)).find("Only 60 % of the mass is modeled"), std::string::npos);
 }
 
+TEST_F(Basis, CountsTheCoarseGrainsOfTheSampleBeforeItsErosion) {
+    const std::string before = first_doubt(story(5, 0));
+    study::MobilityStory eroded = story(5, 0);
+    stages_.front().numbers["grains"] = 400;
+    stages_.front().numbers["passes"] = {{{"removed", 350}}, {{"removed", 250}}};
+    EXPECT_EQ(first_doubt(eroded), before);
+}
+
 TEST_F(Basis, ShearStressThatACompactionLeftIsReleasedByAKey) {
     variant_.stages = {{.name = "initial", .spec = packing::CompactSpec{.pressure = 100e3}}, stage_};
     stage_.parent = 0;

@@ -68,8 +68,21 @@ public:
     }
 
     void check_gradient(const Stage& stage, std::string_view key, double gradient) {
-        const double critical = (1 - settled_porosity) * (variant_.material.density / settings_.fluid.density - 1);
+        const double grains = variant_.material.density, fluid = settings_.fluid.density;
+        const double critical = (1 - settled_porosity) * (grains / fluid - 1);
         if (!(std::abs(gradient) > critical)) {
+            return;
+        }
+        if (!(critical > 0)) {
+            context_.problems.warning(
+                "W604", stage_place(stage, key),
+                fmt::format(
+                    "grains of {} do not sink in a fluid of {}: any gradient lifts them",
+                    print_quantity(grains, dimension::density), print_quantity(fluid, dimension::density)
+                ),
+                "quartz is density = \"2650 kg/m3\" in [grain]; without [gravity] grains have no weight, and the run "
+                "will not show that"
+            );
             return;
         }
         context_.problems.warning(

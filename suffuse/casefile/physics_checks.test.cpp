@@ -46,6 +46,9 @@ TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     EXPECT_EQ(problems_of(head + "gradient = 0.9\n").size(), 0U);
     EXPECT_TRUE(find_problem(problems_of(head + "gradient = 1.1\n"), "W604").is_warning);
     EXPECT_EQ(find_problem(problems_of(head + "gradient = -1.1\n"), "W604").line, 18);
+    const Diagnostic light =
+        find_problem(problems_of(head + "gradient = 0.1\n[grain]\ndensity = \"2.65 kg/m^3\"\n"), "W604");
+    EXPECT_NE(light.message.find("grains of 2.65 kg/m^3 do not sink"), std::string::npos) << light.message;
 }
 
 TEST(PhysicsChecks, AResolvedFlowTakesNoCellThatReleasedItsShearStresses) {

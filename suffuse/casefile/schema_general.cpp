@@ -139,11 +139,10 @@ std::vector<Key> balance_rows() {
 }
 
 std::vector<Key> gravity_rows() {
-    Key down = row(
-        "gravity", "down", ValueKind::Direction,
-        "Where weight points. With this table the fines of `detach` and `erode` have weight, less buoyancy; without it "
-        "none, as in the paper. All other stages are weightless either way."
-    );
+    Key down =
+        row("gravity", "down", ValueKind::Direction,
+            "Where weight points. With this table the fines of `detach`, `erode` and `migrate` have weight, less "
+            "buoyancy; without it none, as in the paper. All other stages are weightless either way.");
     Key acceleration = quantity(
         "gravity", "acceleration", dimension::acceleration, above_zero,
         "Of gravity; a hydraulic gradient pulls with it, too."

@@ -31,6 +31,11 @@ struct Step {
     std::vector<Quantity> after; ///< on the arrow that leaves it
 };
 
+/// That a pass looked at.
+std::size_t fines_of(const PassResult& pass) {
+    return pass.mobility ? pass.mobility->id.size() : pass.probe.id.size();
+}
+
 /// What the probe of a pass says; left open where it has none.
 std::string of_probe(const PassResult& pass, std::string text) {
     return pass.probe.id.empty() ? "–" : std::move(text);
@@ -51,7 +56,9 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is
     return {
         {"1  Equilibrium",
          "under the stresses held",
-         {quantity("fine grains", passes, [&](const PassResult& p) { return of_probe(p, count(p.probe.id.size())); })}},
+         {quantity(
+             "fine grains", passes, [&](const PassResult& p) { return fines_of(p) == 0 ? "–" : count(fines_of(p)); }
+         )}},
         {"2  Pore flow",
          fmt::format("hydraulic gradient i = {}", gradient),
          {quantity(
@@ -59,7 +66,9 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is
              [](const PassResult& p) { return of_probe(p, short_number(p.probe.fluid_over_contact, 2)); }
          )}},
         {"3  Probe on a copy",
-         is_forced ? "not used: the removal is forced" : "coarse grains held, forces ramped on the fines",
+         is_forced                  ? "not used: the removal is forced"
+         : passes.front()->mobility ? "coarse grains held, the gradient ramped on fines of weight"
+                                    : "coarse grains held, forces ramped on the fines",
          {quantity("detachable", passes, [&](const PassResult& p) { return count(p.detachable); })}},
         {"4  Constrictions",
          is_forced                                ? "not used: the removal is forced"
@@ -212,7 +221,7 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
     for (const PassResult* pass : shown) {
         figure.caption += fmt::format(
             "{} {} of {} detachable among {} fines", pass == shown.front() ? "" : ", then", grouped(pass->removed),
-            grouped(pass->detachable), grouped(std::ssize(pass->probe.id))
+            grouped(pass->detachable), grouped(static_cast<long long>(fines_of(*pass)))
         );
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;

@@ -363,6 +363,15 @@ TEST(LoopFigure, AForcedRemovalUsesNeitherProbeNorConstrictions) {
     EXPECT_NE(erosion_loop(erosion)->drawing.find("not used: the removal is forced"), std::string::npos);
 }
 
+TEST(LoopFigure, CountsFinesWithWeight) {
+    ErosionResult erosion = test::sample_erosion();
+    erosion.passes.resize(1);
+    erosion.passes.front().probe.id.clear();
+    erosion.passes.front().mobility.emplace().id.resize(1042);
+    EXPECT_NE(erosion_loop(erosion)->drawing.find(">1,042<"), std::string::npos);
+    EXPECT_NE(erosion_loop(erosion)->caption.find("among 1,042 fines"), std::string::npos);
+}
+
 TEST(RulesFigure, CountsOfEachProbeAddUpToItsFines) {
     const auto probes = test::sample_probes();
     const Figure figure = *rules_compared(probes, {});

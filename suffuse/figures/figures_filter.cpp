@@ -61,13 +61,13 @@ json line_of(const std::vector<std::string>& names, const std::vector<std::strin
         {"legend", {{"orient", "top"}}}};
 }
 
-/// "s/flow: 2 % of the base left, 12 % is beyond the interface; ..."
+/// "s/flow: 2 % of the base passed, 12 % is beyond the interface; ..."
 std::string what_passed(const std::vector<MigrationCurve>& stacks) {
     std::string words;
     for (const MigrationCurve& stack : stacks) {
         const erosion::MigrationHold& end = stack.result.holds.back();
         words += fmt::format(
-            "{}{}: {} % of the base left, and {} % went beyond the interface", words.empty() ? "" : "; ", stack.name,
+            "{}{}: {} % of the base passed, and {} % went beyond the interface", words.empty() ? "" : "; ", stack.name,
             short_number(100 * end.eroded_mass_share, 2), short_number(100 * end.entered_mass_share, 2)
         );
     }

@@ -40,7 +40,7 @@ TEST(FilterFigures, HaveTheProfilesInTheMiddlesOfTheirSlices) {
     EXPECT_DOUBLE_EQ(figure->table.numbers("solid")[2], 60);
     EXPECT_EQ(figure->table.words("what")[13], "base at the end");
     EXPECT_DOUBLE_EQ(figure->table.numbers("solid")[13], 20);
-    EXPECT_NE(figure->caption.find("16 % of the base left, and 30 % went beyond the interface"), std::string::npos);
+    EXPECT_NE(figure->caption.find("16 % of the base passed, and 30 % went beyond the interface"), std::string::npos);
 }
 
 TEST(FilterFigures, DrawACircleForEachGrainThatIsCutInItsPlaceAndSize) {

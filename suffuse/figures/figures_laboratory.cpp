@@ -133,7 +133,7 @@ std::optional<Figure> compression_curves(const std::vector<LaboratoryTest>& test
     figure.chart["encoding"]["x"]["scale"] = {{"type", "log"}, {"nice", false}};
     figure.caption =
         as_sentence(numbers_of(tests, {{"compression_index", "Cc"}, {"swelling_index", "Cs"}, {"k0", "K₀"}})) +
-        " Cc and Cs are the slopes of first loading and of unloading over a decade of stress.";
+        ". Cc and Cs are the slopes of first loading and of unloading over a decade of stress.";
     return figure;
 }
 
@@ -166,7 +166,7 @@ std::optional<Figure> shear_curves(const std::vector<LaboratoryTest>& tests) {
     );
     figure.caption =
         as_sentence(numbers_of(tests, {{"peak_stress_ratio", "highest τ/σₙ"}, {"final_stress_ratio", "at the end"}})) +
-        " Tests hold the volume or the normal stress; the sides of the cell keep their lengths.";
+        ". Tests hold the volume or the normal stress; the sides of the cell keep their lengths.";
     return figure;
 }
 
@@ -248,16 +248,16 @@ std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests) {
          panel("axial_strain", "axial strain ε₁ [%]", "deviator_stress", q),
          panel("cycle", "cycles", "pore_pressure_ratio", "pore-pressure ratio rᵤ")}
     );
-    figure.caption =
-        as_sentence(numbers_of(
-            tests, {{"cycles_to_liquefaction", "cycles to liquefaction"},
-                    {"cycles", "cycles begun"},
-                    {"pore_pressure_ratio", "highest rᵤ"},
-                    {"double_amplitude", "largest double amplitude of ε₁"}}
-        )) +
-        " From above: path of effective stress, loops of stress and strain, pore pressure. The total lateral stress is "
-        "constant." +
-        words_on_water(tests);
+    figure.caption = as_sentence(numbers_of(
+                         tests, {{"cycles_to_liquefaction", "cycles to liquefaction"},
+                                 {"cycles", "cycles begun"},
+                                 {"pore_pressure_ratio", "highest rᵤ"},
+                                 {"double_amplitude", "largest double amplitude of ε₁"}}
+                     )) +
+                     ". From above: path of effective stress, loops of stress and strain, pore pressure. The total "
+                     "lateral stress is "
+                     "constant." +
+                     words_on_water(tests);
     return figure;
 }
 

@@ -140,7 +140,7 @@ std::optional<Figure> migration_in_time(const std::vector<MigrationCurve>& curve
     figure.title = "Fines that leave over time";
     figure.caption = as_sentence(ends_in_words(curves)) +
                      ". Time is that of the soil. Each point is a solution of the flow; grains that go with the water "
-                     "do not resist it, so that the permeability falls again where they come to rest.";
+                     "resist it by their weight alone, so that the permeability falls again where they come to rest.";
     figure.table.add("stage", std::move(stage));
     figure.table.add("time", "s", std::move(time));
     figure.table.add("gradient", "-", std::move(gradient));

@@ -156,7 +156,7 @@ std::optional<Figure> stiffness_points(const std::vector<LaboratoryTest>& probed
         );
     }
     figure.claim = as_sentence(all.substr(0, all.find(';')));
-    figure.caption = as_sentence(all) + " The bound is the modulus of grains that all move with the mean strain.";
+    figure.caption = as_sentence(all) + ". The bound is the modulus of grains that all move with the mean strain.";
     return figure;
 }
 
