@@ -202,14 +202,13 @@ std::vector<Key> migrate_rows() {
         ),
         ratio(
             stage, "with_water", {0, 1, true, true},
-            "A grain whose velocity relative to the water is below this share of the water's goes with it, and does "
-            "not resist it."
+            "A grain whose velocity relative to the water is below this share of the water's goes with it: it takes "
+            "from the flow what it feels of it, and is no obstacle."
         ),
         ratio(
             stage, "solve_after", {0, 2, true, false},
             "The flow is solved anew when 1 % of the fines' mass has moved so far, in diameters, or has begun or "
-            "ceased "
-            "to go with the water."
+            "ceased to go with the water."
         ),
         quantity(
             stage, "feed", dimension::density, above_zero,

@@ -20,8 +20,9 @@ double stokes_rate(double diameter, double mass, double viscosity) {
 
 GrainWater::GrainWater(
     const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid,
-    double coarse_permeability
-) {
+    double coarse_permeability, double hindrance_before
+)
+    : hindrance_(hindrance_before) {
     const grains::Grains& grains = world.grains;
     std::vector<std::uint32_t> standing;
     std::vector<Vec3> position;
@@ -63,7 +64,9 @@ GrainWater::GrainWater(
             }
         }
     }
-    hindrance_ = of_fines.empty() ? 1 : upper_quantile(std::move(of_fines), 0.5);
+    if (!of_fines.empty()) {
+        hindrance_ = upper_quantile(std::move(of_fines), 0.5);
+    }
     mass_ = grains.mass;
     rate_.resize(grains.size());
     for (std::size_t g = 0; g < grains.size(); ++g) {

@@ -22,10 +22,11 @@ public:
     /// Solves the flow among the grains that stand. @param goes 1 for a grain that does not resist, a row a grain
     /// @param direction of the flow
     /// @param coarse_permeability of the coarse grains alone [m2], which by bounded drag limits it
+    /// @param hindrance of the flow before, for where no fine grain stands
     /// @throws as flow::solve_seepage
     GrainWater(
         const dem::World& world, std::span<const std::uint8_t> goes, const Vec3& direction, const flow::Fluid& fluid,
-        double coarse_permeability
+        double coarse_permeability, double hindrance = 1
     );
 
     /// Along the flow [m2].
@@ -46,7 +47,7 @@ public:
     /// rest over the mean velocity of the water around it, at least Stokes'; of others Stokes' times `hindrance`.
     [[nodiscard]] double rate(std::uint32_t g) const { return rate_[g]; }
 
-    /// Drag over Stokes', of the median fine grain that stands; 1 where none does [-].
+    /// Drag over Stokes', of the median fine grain that stands; that of the flow before where none does [-].
     [[nodiscard]] double hindrance() const { return hindrance_; }
 
 private:
@@ -54,7 +55,7 @@ private:
     std::vector<Vec3> pore_velocity_;
     std::vector<Vec3> force_; ///< of the world's grains, as the following
     std::vector<double> mass_, rate_;
-    double hindrance_ = 1;
+    double hindrance_;
     std::optional<pores::PoreLocator> locator_;
 };
 

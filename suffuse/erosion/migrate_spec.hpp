@@ -28,7 +28,7 @@ struct MigrateSpec {
     double still_for = 0.05; ///< true time over which motion is looked at [s]
     double softness = 1e-3;  ///< overlap over radius of two equal fines under the 95 % load [-]
     double with_water =
-        0.4; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
+        0.8; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
     double solve_after = 0.2;           ///< the flow, when fines have moved so far [diameters]
     std::optional<double> feed;         ///< mass of fines that enter with each volume of water; nothing: none [kg/m3]
     std::optional<double> time_at_most; ///< true time of all holds [s]

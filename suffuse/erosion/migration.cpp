@@ -142,6 +142,7 @@ rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& sp
     const GrainWater water(
         sample, std::vector<std::uint8_t>(grains.size()), spec.direction, around.fluid, migration.coarse_permeability
     );
+    migration.hindrance = water.hindrance();
     std::vector<std::uint8_t> held;
     if (migration.stack.is_stack()) {
         migration.at_first = migration.now = layer_gradients(water.seepage(), migration.stack, spec.direction);

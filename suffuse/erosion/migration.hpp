@@ -28,7 +28,7 @@ struct Migration {
     std::int64_t steps = 0;
     double time_step = 0;           ///< true, of the last burst [s]
     double largest_overlap = 0;     ///< over the smaller radius, of a grain that moves, at the ends of rows [-]
-    double hindrance = 1;           ///< of the last flow: drag over Stokes' of the median resting fine grain [-]
+    double hindrance = 1;           ///< of the last flow: drag over Stokes' of the median fine grain that stands [-]
     double coarse_permeability = 0; ///< of the coarse grains alone, as they are held; 0 where no water passes [m2]
     double solids_mass = 0;         ///< of the sample before [kg]
     Mat3 stress;                    ///< mean, of the sample before [Pa]

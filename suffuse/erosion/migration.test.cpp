@@ -152,7 +152,8 @@ TEST(Migration, LetsNoMoreWaterThroughThanTheCoarseGrainsAlone) {
     for (const MigrationRow& row : migration.result.rows) {
         most = std::max(most, row.permeability);
     }
-    EXPECT_NEAR(most / migration.coarse_permeability, 1, 1e-12);
+    EXPECT_LE(most / migration.coarse_permeability, 1 + 1e-12);
+    EXPECT_GT(most / migration.coarse_permeability, 0.98) << "the first fines that move take their weight from it";
 }
 
 TEST(Migration, TakesFromTheFlowTheWeightOfTheGrainsItCarries) {

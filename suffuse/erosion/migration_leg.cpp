@@ -70,7 +70,8 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       }),
       ledger_(before.ledger), present_(find_present(ledger_)),
       water_(
-          before.world, goes_by_row(before.world, ledger_), spec.direction, around.fluid, before.coarse_permeability
+          before.world, goes_by_row(before.world, ledger_), spec.direction, around.fluid, before.coarse_permeability,
+          before.hindrance
       ),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
       throats_(before.world, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),

@@ -143,7 +143,39 @@ CurveForm strain_form(const Readings& readings, const Values& strain, const Cali
     return form;
 }
 
+/// That the record is one of such a test under such a pressure. @throws CaseError
+void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
+    constexpr double no_volume = 2e-3; // of strain, where water can neither enter nor leave
+    constexpr double steepest = 20;    // q over the lateral stress: a friction angle of 65 degrees
+    if (target.test == CalibrateTest::Undrained) {
+        if (readings.find(Quantity::VolumetricStrain) == nullptr) {
+            return;
+        }
+        double largest = 0;
+        for (const double strain : since_start(readings.of(Quantity::VolumetricStrain))) {
+            largest = std::max(largest, std::abs(strain));
+        }
+        if (largest > no_volume) {
+            readings.complain(fmt::format(
+                "has volumetric strains of up to {:.2g} %, and an undrained test has none: write test = \"drained\"",
+                100 * largest
+            ));
+        }
+    } else {
+        const double most = std::ranges::max(deviator_of(readings));
+        if (most > steepest * target.pressure) {
+            readings.complain(fmt::format(
+                "reaches q = {:.4g} kPa, {:.3g} times the `pressure` of {:.4g} kPa: no soil without cohesion bears "
+                "that; "
+                "write the lateral stress of this test",
+                most / 1e3, most / target.pressure, target.pressure / 1e3
+            ));
+        }
+    }
+}
+
 LaboratoryCurve triaxial_curve(const Readings& readings, const CalibrateTarget& target) {
+    expect_its_test(readings, target);
     LaboratoryCurve curve;
     const Values strain = since_start(readings.of(Quantity::AxialStrain));
     curve.form = strain_form(readings, strain, target);

@@ -93,6 +93,25 @@ TEST(LaboratoryCurve, IsOfTheTestThatTheTargetNames) {
     }
 }
 
+TEST(LaboratoryCurve, IsRefusedWhereItsTestCannotHaveIt) {
+    const auto refusal_of = [](const CalibrateTarget& target) -> std::string {
+        try {
+            curve_of(drained_head + drained("a", 20), target);
+        } catch (const CaseError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_NE(
+        refusal_of(target_of(CalibrateTest::Undrained)).find("volumetric strains of up to 5 %"), std::string::npos
+    );
+    CalibrateTarget target = target_of(CalibrateTest::Drained);
+    target.pressure = 4e3; // q reaches 200 kPa
+    EXPECT_NE(refusal_of(target).find("200 kPa, 50 times the `pressure` of 4 kPa"), std::string::npos);
+    target.pressure = 10.1e3;
+    EXPECT_EQ(refusal_of(target), "");
+}
+
 TEST(LaboratoryCurve, OfAnUndrainedTestHasTheEffectiveMeanStressThatWaterLeaves) {
     std::string text = "axial strain [%],q [kPa],pore pressure u [kPa]\n";
     for (int k = 0; k <= 10; ++k) {
