@@ -20,6 +20,8 @@ double sum_on_sieves(const SievedSoil& soil, double sum = 0) {
     return sum;
 }
 
+constexpr double most_off = 2; // a stated mass and a sum that differ by more are not of one sample
+
 double sum_of(const SievedSoil& soil) {
     return sum_on_sieves(soil, soil.pan.value_or(0));
 }
@@ -127,18 +129,32 @@ void remark_on_count(const SievedSoil& soil, Problems& problems) {
     );
 }
 
-/// What the sheet calls its total, next to the sum of what the sieves keep.
-void check_total(const SievedSoil& soil, double sum, Problems& problems) {
+/// What the sheet calls its total, next to the sum of what the sieves keep. @return whether both may be of one sample
+bool check_total(const SievedSoil& soil, double sum, Problems& problems) {
     constexpr double lost = 0.01; // ASTM D6913: a loss beyond requires another test
-    if (soil.total && std::abs(*soil.total - sum) > lost * sum) {
-        problems.warning(
-            sheet_remark, soil.end,
-            fmt::format(
-                "the sheet's total is {:.4g} times what its sieves and pan add up to: the sum is taken",
-                *soil.total / sum
-            )
-        );
+    if (!soil.total || std::abs(*soil.total - sum) <= lost * sum) {
+        return true;
     }
+    if (*soil.total > most_off * sum || sum > most_off * *soil.total) {
+        const char* const unit = soil.unit == ShareUnit::Count ? "" : " g";
+        const double scale = soil.unit == ShareUnit::Count ? 1 : 1e3;
+        problems.error(
+            "E504", soil.end,
+            fmt::format(
+                "the sheet's total is {:.6g}{}, and its sieves and pan add up to {:.6g}{}", scale * *soil.total, unit,
+                scale * sum, unit
+            ),
+            "correct the numbers, or leave the total out"
+        );
+        return false;
+    }
+    problems.warning(
+        sheet_remark, soil.end,
+        fmt::format(
+            "the sheet's total is {:.4g} times what its sieves and pan add up to: the sum is taken", *soil.total / sum
+        )
+    );
+    return true;
 }
 
 /// The mass of the whole sample by what is written in the table: sieves and pan, or a total.
@@ -166,6 +182,14 @@ std::optional<double> whole_mass(const SievedSoil& soil, double last, Problems& 
         return held.value_or(0);
     }
     const double least = held.value_or(soil.meaning == ShareMeaning::CumulativeRetained ? last : sum_on_sieves(soil));
+    if (*soil.dry * most_off < least) {
+        problems.error(
+            "E504", soil.end,
+            fmt::format("a dry mass of {:.6g} g is stated, and the sieves hold {:.6g} g", 1e3 * *soil.dry, 1e3 * least),
+            "correct the numbers, or leave the stated mass out"
+        );
+        return std::nullopt;
+    }
     if (*soil.dry < least) {
         problems.warning(
             sheet_remark, soil.end,
@@ -221,8 +245,9 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
         );
         return false;
     }
-    if (soil.pan && soil.meaning != ShareMeaning::CumulativeRetained) {
-        check_total(soil, sum_on_sieves(soil) + *soil.pan, problems);
+    if (soil.pan && soil.meaning != ShareMeaning::CumulativeRetained &&
+        !check_total(soil, sum_on_sieves(soil) + *soil.pan, problems)) {
+        return false;
     }
     for (SieveRow& sieve : soil.sieves) {
         sieve.amount /= *total;
@@ -310,6 +335,17 @@ std::optional<std::vector<GradingPoint>> find_passing(SievedSoil& soil, Problems
     }
     settle_edges(soil, problems);
     if (soil.meaning == ShareMeaning::OnSieve) {
+        if (!is_weighed_or_counted(soil) && soil.pan && std::abs(sum_of(soil) - 1) > 2 * rounding + 1e-9) {
+            problems.error(
+                "E504", soil.end,
+                fmt::format(
+                    "the sieves retain {:.4g} % and the pan {:.4g} %: together {:.4g} % where 100 % are expected",
+                    100 * sum_on_sieves(soil), 100 * *soil.pan, 100 * sum_of(soil)
+                ),
+                "correct the numbers, or leave the pan out if what is missing is finer than all sieves"
+            );
+            return std::nullopt;
+        }
         if (!is_weighed_or_counted(soil) && soil.pan && std::abs(sum_of(soil) - 1) > rounding) {
             problems.warning(
                 sheet_remark, soil.end,

@@ -20,7 +20,7 @@ struct PercentileColumn {
     SizeScale scale = SizeScale::Unknown;
 };
 
-/// "d60_mm", "D10 (mm)", "dmax": columns with a share each, none twice.
+/// "d60_mm", "D10 (mm)", "dmax": columns with a share each, none twice, the finest first.
 std::vector<PercentileColumn> find_columns(const SheetRow& row) {
     std::vector<PercentileColumn> columns;
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
@@ -32,6 +32,7 @@ std::vector<PercentileColumn> find_columns(const SheetRow& row) {
             columns.push_back({k, share, read_heading(row.cells[k].text).scale});
         }
     }
+    std::ranges::sort(columns, {}, &PercentileColumn::share);
     return columns;
 }
 

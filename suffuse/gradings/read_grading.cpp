@@ -8,6 +8,7 @@
 #include "suffuse/gradings/named_columns.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_text.hpp"
+#include "suffuse/gradings/thousands.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -164,7 +165,10 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
         );
         return std::nullopt;
     }
-    return read_tables(reading.tables, problems);
+    Problems undecided;
+    settle_thousands(reading.sheet, reading.tables, undecided);
+    problems.take_over(undecided);
+    return undecided.has_errors() ? std::nullopt : read_tables(reading.tables, problems);
 }
 
 std::string names_of(const std::vector<NamedGrading>& soils) {
