@@ -7,6 +7,7 @@
 #include "suffuse/gradings/sheet_text.hpp"
 #include "suffuse/gradings/sheet_values.hpp"
 #include "suffuse/gradings/sieve_size.hpp"
+#include "suffuse/gradings/thousands.hpp"
 #include "suffuse/laboratory/test_conventions.hpp"
 #include "suffuse/laboratory/test_heading.hpp"
 
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace suffuse::laboratory {
@@ -156,6 +158,52 @@ TestColumn column_of(const Sheet& sheet, const Head& head, const ReadColumn& rea
     return column;
 }
 
+/// Above these no soil test goes [SI].
+double largest_of(const QuantityRow& row) {
+    constexpr double strain = 1, gradient = 1e3, pressure = 1e8;
+    switch (row.quantity) {
+    case Quantity::AxialStrain:
+    case Quantity::VolumetricStrain:
+        return strain;
+    case Quantity::VoidRatio:
+        return largest_void_ratio;
+    case Quantity::Gradient:
+        return gradient;
+    default:
+        return row.dimension == dimension::pressure ? pressure : std::numeric_limits<double>::infinity();
+    }
+}
+
+/// "1,250" may be 1250 or 1.25. Other numbers of the sheet decide, or the quantity does.
+void settle_thousands(Sheet& sheet, const Head& head, TestRecord& record) {
+    const char sign = gradings::find_decimal_sign(sheet);
+    for (std::size_t k = 0; k < head.columns.size(); ++k) {
+        const ReadColumn& read = head.columns[k];
+        const TestColumn& column = record.columns[k];
+        const auto found = gradings::find_grouped(sheet, head.first, read.at);
+        if (!found || sign == found->mark || found->value(true) * column.factor > largest_of(row_of(column.quantity))) {
+            continue;
+        }
+        if (sign == 0) {
+            complain(
+                found->cell.place,
+                fmt::format(
+                    "column \"{}\": \"{}\" may be {} or {}; write {} if the mark is between thousands, else {}",
+                    read.text, shown(found->cell.text), found->plain(true), found->plain(false), found->plain(true),
+                    found->plain(false)
+                )
+            );
+        }
+        record.findings.push_back(
+            {false, fmt::format(
+                        "\"{}\" in \"{}\" is {}: other numbers have a decimal {}", shown(found->cell.text), read.text,
+                        found->plain(true), sign == '.' ? "point" : "comma"
+                    )}
+        );
+        gradings::join_groups(sheet, head.first, read.at, found->mark);
+    }
+}
+
 /// Nothing may stand next to a number: a unit in a cell could be another than that of its column.
 std::optional<double> number_in(const Sheet& sheet, const SheetRow& row, std::size_t column) {
     const bool is_quoted = column < row.cells.size() && row.cells[column].is_quoted;
@@ -235,7 +283,7 @@ void check_columns(const TestRecord& record, const Place& place) {
             }
             complain(
                 place, fmt::format(
-                           "a {} test has a column of {}; found none",
+                           "{} {} test has a column of {}; found none", record.kind == TestKind::Oedometer ? "an" : "a",
                            test_kind_names()[static_cast<std::size_t>(record.kind)], fmt::join(words, " or ")
                        )
             );
@@ -296,6 +344,7 @@ TestRecord parse_test(const std::shared_ptr<const Source>& source, const TestReq
         record.columns.push_back(column_of(sheet, head, column));
     }
     check_columns(record, sheet.rows[head.row].place);
+    settle_thousands(sheet, head, record);
     read_rows(sheet, head, std::filesystem::path(source->name).stem().string(), record);
     if (record.rows() == 0) {
         complain(sheet.rows[head.row].place, "found no row of numbers below the heading");

@@ -206,6 +206,48 @@ TEST(ReadTest, StressesThatBelongTogetherShowWhichAreEffective) {
     );
 }
 
+TEST(ReadTest, StressesThatContradictOneAnotherAreRefused) {
+    const std::string head = "eps1 [%],q [kPa],sigma3' [kPa],sigma1' [kPa]\n";
+    EXPECT_EQ(refusal(head + "0,0,100,100\n1,100,100,200\n5,200,100,301\n", Triaxial), "");
+    expect_words(
+        "\"sigma1' [kPa]\", \"sigma3' [kPa]\" and \"q [kPa]\" contradict one another",
+        refusal(head + "0,0,100,100\n1,100,100,300\n5,200,100,650\n", Triaxial)
+    );
+    const std::string pore = "eps1 [%],q [kPa],total sigma1 [kPa],sigma3' [kPa],u [kPa]\n";
+    EXPECT_EQ(refusal(pore + "0,0,150,100,50\n1,60,220,90,70\n", Triaxial), "");
+    for (const std::string other : {"p' [kPa],sigma3' [kPa]", "p' [kPa],q [kPa]"}) {
+        expect_words(
+            "contradict one another",
+            refusal("eps1 [%],sigma1' [kPa]," + other + "\n0,100,100,100\n1,200,300,100\n", Triaxial)
+        );
+    }
+}
+
+TEST(ReadTest, AVoidRatioInPercentNeedsItsUnit) {
+    const std::string rows = "\n100,80\n200,75\n400,70\n";
+    expect_words("void ratios above 20; write \"e [%]\"", refusal("sigma1 [kPa],e" + rows, Oedometer));
+    EXPECT_DOUBLE_EQ(value(parse("sigma1 [kPa],e [%]" + rows, Oedometer), Quantity::VoidRatio, 0), 0.8);
+    expect_words("an oedometer test has", refusal("e,eps1 [%]\n1,0\n0.9,5\n", Oedometer));
+}
+
+TEST(ReadTest, MarksBetweenThousandsAreNoDecimalSigns) {
+    const std::string head = "Axial strain (%)\tDeviator stress (kPa)\n", rows = "1\t1,250\n2\t2,500\n5\t3,100\n";
+    expect_words(
+        "t.csv:3:3: column \"Deviator stress (kPa)\": \"1,250\" may be 1250 or 1.25",
+        refusal(head + "0\t0\n" + rows, Triaxial)
+    );
+    expect_words("may be 1250 or 1.25", refusal("eps1 [%],q [kPa]\n0,0\n1,\"1,250\"\n", Triaxial));
+    const TestRecord thousands = parse(head + "0.5\t0\n" + rows, Triaxial);
+    EXPECT_DOUBLE_EQ(value(thousands, Quantity::DeviatorStress, 1), 1250e3);
+    expect_words("\"1,250\" in \"Deviator stress (kPa)\" is 1250", findings(thousands, false));
+    const TestRecord decimals = parse(head + "0,5\t0\n" + rows, Triaxial);
+    EXPECT_DOUBLE_EQ(value(decimals, Quantity::DeviatorStress, 1), 1.25e3);
+    const TestRecord strain = parse("eps1 [%];q [kPa]\n1,250;100\n2,500;200\n", Triaxial); // no 1250 %
+    EXPECT_DOUBLE_EQ(value(strain, Quantity::AxialStrain, 0), 0.0125);
+    const TestRecord commas = parse("eps1 [%],q [kPa]\n1,1.250\n2,2.500\n", Triaxial);
+    EXPECT_DOUBLE_EQ(value(commas, Quantity::DeviatorStress, 0), 1.25e3);
+}
+
 TEST(ReadTest, AMassThatFallsCountsFromReadingToReading) {
     const std::string head = "time [min],i,mass [g]\n";
     const TestRecord parts = parse(head + "0,0.1,0\n1,0.2,2\n2,0.3,1\n", Permeameter);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace suffuse::laboratory {
@@ -52,6 +54,47 @@ void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const Te
                          "difference of axial and radial stress; q = 2 t and p = s - t/3"
                        : ""
     ));
+}
+
+/// Three of axial stress a, radial stress r, q = a - r and p = (a + 2 r)/3 agree; some of them may be total.
+void check_three_stresses(const RecordReview& review) {
+    struct Sum {
+        Quantity first, second, third;
+        double of_first, of_second, of_third; ///< add up to 0
+        const char* words;
+    };
+
+    using enum Quantity;
+    constexpr std::array sums{
+        Sum{AxialStress, RadialStress, DeviatorStress, 1, -1, -1, "q = axial minus radial stress"},
+        Sum{AxialStress, RadialStress, MeanStress, 1, 2, -3, "p = (axial + 2 radial stress)/3"},
+        Sum{AxialStress, DeviatorStress, MeanStress, 3, -2, -3, "p = axial stress - 2 q/3"}};
+    const TestColumn* u = review.record.find(PorePressure);
+    for (const Sum& sum : sums) {
+        const TestColumn *a = review.record.find(sum.first), *b = review.record.find(sum.second),
+                         *c = review.record.find(sum.third);
+        if (a == nullptr || b == nullptr || c == nullptr) {
+            continue;
+        }
+        const auto norm = [&](double with_a, double with_b, double with_c, double with_u) {
+            return std::sqrt(review.sum([&](std::size_t k, std::size_t) {
+                const double pore = u != nullptr ? u->values[k] : 0;
+                return std::pow(
+                    with_a * a->values[k] + with_b * b->values[k] + with_c * c->values[k] + with_u * pore, 2
+                );
+            }));
+        };
+        const double size = std::abs(sum.of_first) * norm(1, 0, 0, 0);
+        const bool agree = std::ranges::any_of(std::array{0, -1, 1, -2, 2, -3, 3}, [&](int times) {
+            return norm(sum.of_first, sum.of_second, sum.of_third, times) <= stress_match * size;
+        });
+        if (!agree) {
+            review.refuse(fmt::format(
+                "columns \"{}\", \"{}\" and \"{}\" contradict one another; expected {}", a->heading, b->heading,
+                c->heading, sum.words
+            ));
+        }
+    }
 }
 
 /// In a drained test at a constant cell pressure q rises by 3 as p rises by 1.
@@ -127,6 +170,7 @@ void settle_triaxial_stresses(const RecordReview& review) {
     TestColumn* p = review.record.find(Quantity::MeanStress);
     const TestColumn* q = review.record.find(Quantity::DeviatorStress);
     TestColumn* radial = review.record.find(Quantity::RadialStress);
+    check_three_stresses(review);
     if (p != nullptr && q != nullptr && radial != nullptr) {
         settle_by_radial_stress(review, *p, *q, *radial);
     } else if (p != nullptr && q != nullptr) {

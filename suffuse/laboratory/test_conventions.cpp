@@ -21,6 +21,16 @@ void check_not_negative(const RecordReview& review, Quantity quantity) {
     }
 }
 
+void check_void_ratio(const RecordReview& review) {
+    const TestColumn* e = review.record.find(Quantity::VoidRatio);
+    if (e != nullptr && std::ranges::any_of(e->values, [](double v) { return v > largest_void_ratio; })) {
+        review.refuse(fmt::format(
+            "column \"{0}\" has void ratios above {1:g}; write \"{0} [%]\" if they are in percent", e->heading,
+            largest_void_ratio
+        ));
+    }
+}
+
 /// What was carried out until each reading, or since the one before.
 void settle_mass(const RecordReview& review) {
     TestColumn* mass = review.record.find(Quantity::Mass);
@@ -70,6 +80,7 @@ void check_time(const RecordReview& review) {
 void find_conventions(TestRecord& record, const std::string& file, std::optional<bool> contraction_is_positive) {
     const RecordReview review{record, file};
     check_stresses_are_compressive(review);
+    check_void_ratio(review);
     switch (record.kind) {
     case TestKind::Triaxial:
         settle_volumetric_strain(review, contraction_is_positive);
