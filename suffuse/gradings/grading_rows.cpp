@@ -303,7 +303,7 @@ private:
             soil.heading = text_at(heads, share.index), soil.heading_place = place_at(heads, share.index);
             soil.size_heading = text_at(heads, columns_.size.index);
             soil.end = row.place;
-            soil.is_by_number = columns_.is_by_number;
+            soil.is_by_number = columns_.is_by_number, soil.is_of_largest = share.is_of_largest;
             soil.size_unit =
                 columns_.size.scale == SizeScale::SieveNumber ? "sieve numbers" : scale_name(columns_.size.scale);
             soils_.push_back(std::move(soil));

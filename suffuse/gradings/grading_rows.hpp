@@ -38,6 +38,7 @@ struct SievedSoil {
     std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
     std::string size_heading, size_unit = "mm";
     bool is_by_number = false;     ///< shares of the number of grains, not of their mass
+    bool is_of_largest = false;    ///< masses without a pan or total are shares of the largest
     std::vector<BlankSize> blanks; ///< where a heading says nothing: they may bound classes
 };
 

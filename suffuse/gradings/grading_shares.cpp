@@ -224,6 +224,14 @@ std::optional<double> whole_mass(const SievedSoil& soil, double last, Problems& 
 /// From masses to shares of the whole sample, which only the pan, a total or a stated dry mass completes. @return
 /// whether they can be.
 bool divide_by_total(SievedSoil& soil, Problems& problems) {
+    const double most = soil.sieves.empty() ? 0 : std::ranges::max(soil.sieves, {}, &SieveRow::amount).amount;
+    if (!soil.pan && !soil.total && !soil.dry && soil.is_of_largest) {
+        soil.total = most;
+        problems.warning(
+            sheet_remark, soil.heading_place,
+            fmt::format("what is retained is read as a share of the largest, {:.6g} g", 1e3 * most)
+        );
+    }
     if (!soil.pan && !soil.total && !soil.dry) {
         problems.error(
             "E504", soil.end, "masses retained, and no line `pan`: of what mass are they a share?",
@@ -234,7 +242,6 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
     }
     const bool is_good = soil.pan.value_or(0) >= 0 &&
                          std::ranges::all_of(soil.sieves, [](const SieveRow& sieve) { return sieve.amount >= 0; });
-    const double most = soil.sieves.empty() ? 0 : std::ranges::max(soil.sieves, {}, &SieveRow::amount).amount;
     const auto total = is_good ? whole_mass(soil, most, problems) : 0;
     if (!total) {
         return false;

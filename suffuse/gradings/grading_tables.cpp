@@ -29,9 +29,9 @@ public:
         ++number_;
         const std::size_t before = soils_.size();
         for (SoilPoints& soil : soils) {
-            const bool has_name = !table.name.empty() && tables_ > 1;
-            const std::string own = soil.name;
-            soil.name = has_name ? fmt::format("{}{}{}", table.name, own.empty() ? "" : " ", own) : own;
+            soil.sample = table.name;
+            append_word(soil.sample, soil.name);
+            soil.name = tables_ > 1 ? soil.sample : soil.name;
             SoilPoints* above = find_above(table, soil, before);
             if (above != nullptr) {
                 if (check_joint(*above, soil)) {
@@ -157,7 +157,8 @@ points_of(std::vector<SievedSoil> soils, const TableNotes& notes, Problems& prob
         is_good = is_good && points;
         if (points) {
             found.push_back(
-                {soil.name, std::move(*points), derived_of(notes, soil.column, soils.size() == 1), reading_of(soil)}
+                {soil.name, soil.name, std::move(*points), derived_of(notes, soil.column, soils.size() == 1),
+                 reading_of(soil)}
             );
         }
     }

@@ -15,7 +15,8 @@ namespace suffuse::gradings {
 
 /// The points of a soil in the order of its rows, and what its sheet says was read off the curve.
 struct SoilPoints {
-    std::string name;
+    std::string name;   ///< empty where the file has one soil alone
+    std::string sample; ///< its name there, too
     std::vector<GradingPoint> points;
     std::vector<DerivedValue> derived;
     SheetReading reading;

@@ -94,16 +94,34 @@ private:
 
     [[nodiscard]] bool is_value(const SheetRow& row) const {
         return is_size(sheet_, row, size_column_) || read_row_word(text_at(row, size_column_)) != RowWord::None ||
-               has_share(row);
+               has_share(row) || has_numbers(row);
     }
 
-    /// Where the values begin: a size with a share.
+    [[nodiscard]] bool is_within_lines(const SheetRow& row) const {
+        return !row.is_comment && row.place.line >= lines_.first && row.place.line <= lines_.second;
+    }
+
+    /// Whether a row that cannot be read holds values nevertheless: a number in place of the size, and one of a share.
+    [[nodiscard]] bool has_numbers(const SheetRow& row) const {
+        constexpr std::string_view digits = "0123456789";
+        const std::string& size = text_at(row, size_column_);
+        const std::size_t number = size.find_first_not_of("<>~=+-. \u2264\u2265\u2248");
+        return number != std::string::npos && is_digit(size[number]) &&
+               std::ranges::any_of(shares_, [&](std::size_t k) {
+                   return text_at(row, k).find_first_of(digits) != std::string::npos;
+               });
+    }
+
+    /// Where the values begin: a size with a share, or what cannot be read right above.
     [[nodiscard]] std::size_t find_first_value(std::size_t from) const {
         const auto begin = sheet_.rows.begin() + static_cast<std::ptrdiff_t>(from);
-        const auto first = std::find_if(begin, sheet_.rows.end(), [this](const SheetRow& row) {
-            return !row.is_comment && row.place.line >= lines_.first && row.place.line <= lines_.second &&
-                   is_size(sheet_, row, size_column_) && has_share(row);
+        auto first = std::find_if(begin, sheet_.rows.end(), [this](const SheetRow& row) {
+            return is_within_lines(row) && is_size(sheet_, row, size_column_) && has_share(row);
         });
+        while (first != sheet_.rows.end() && first != begin && is_within_lines(*std::prev(first)) &&
+               has_numbers(*std::prev(first))) {
+            --first;
+        }
         return static_cast<std::size_t>(first - sheet_.rows.begin());
     }
 
@@ -249,6 +267,7 @@ private:
         columns.size.scale = scale == SizeScale::Unknown ? columns.size.scale : scale;
         for (ShareColumn& share : columns.shares) {
             share.is_named = true;
+            share.is_of_largest = share.meaning == ShareMeaning::CumulativeRetained;
             share.unit = is_mass ? ShareUnit::Mass : unit == ShareUnit::Unknown ? share.unit : unit;
             if (unit == ShareUnit::Mass) {
                 share.mass_unit = read_heading("mass (" + share_.column.unit + ")").mass_unit;
@@ -275,8 +294,8 @@ struct ColumnNumbers {
     std::size_t first_row = 0; ///< with a size
     std::size_t sizes = 0, numbers = 0;
     std::set<std::string_view> different;
-    SizeScale scale = SizeScale::Unknown; ///< by a heading
-    bool is_headed = false;
+    SizeScale scale = SizeScale::Unknown;     ///< by a heading
+    bool is_headed = false, is_share = false; ///< by a heading: sizes, shares or masses
 };
 
 ColumnNumbers look_at(const Sheet& sheet, std::size_t column) {
@@ -292,6 +311,7 @@ ColumnNumbers look_at(const Sheet& sheet, std::size_t column) {
         } else if (found.sizes == 0) {
             const Heading heading = read_heading(text_at(row, column));
             found.is_headed = found.is_headed || heading.kind == ColumnKind::Size;
+            found.is_share = found.is_share || heading.kind == ColumnKind::Share;
             found.scale = heading.kind == ColumnKind::Size ? heading.scale : found.scale;
         }
         found.numbers += number_at(sheet, row, column) ? 1U : 0U;
@@ -309,7 +329,7 @@ void add_meanings(
     ReadingOptions options;
     options.size = size;
     for (const auto& [member, fits] :
-         {std::pair{&ReadingOptions::share, possible.adds_up},
+         {std::pair{&ReadingOptions::share, possible.adds_up || possible.on_sieve},
           {&ReadingOptions::passing, possible.passing},
           {&ReadingOptions::retained, possible.cumulative_retained},
           {&ReadingOptions::mass, false}}) {
@@ -336,7 +356,7 @@ std::vector<ReadingOptions> guess_readings(const Sheet& sheet) {
     for (const bool is_headed : {true, false}) {
         for (std::size_t k = 0; k < columns.size() && sizes.size() < most_sizes; ++k) {
             const bool may_be = columns[k].sizes > 1 && 2 * columns[k].different.size() > columns[k].sizes;
-            if (may_be && columns[k].is_headed == is_headed) {
+            if (may_be && columns[k].is_headed == is_headed && !columns[k].is_share) {
                 sizes.push_back(k);
             }
         }
@@ -347,7 +367,7 @@ std::vector<ReadingOptions> guess_readings(const Sheet& sheet) {
         const SizeScale scale = columns[size].scale == SizeScale::Unknown ? stated : columns[size].scale;
         std::size_t tried = 0;
         for (std::size_t k = 0; k < columns.size() && tried < most_shares; ++k) {
-            if (k != size && columns[k].numbers > 1) {
+            if (k != size && columns[k].numbers > 1 && !columns[k].is_headed) {
                 ++tried;
                 add_meanings(
                     fmt::format("{}:{}", size + 1, scale_name(scale)), fmt::format("{}", k + 1),

@@ -64,6 +64,26 @@ TEST(NamedColumns, LinesAndTablesAreChosen) {
     EXPECT_NE(messages_of(parse_sheet(two, "sheet.csv", options)).find("the file has 2 tables"), std::string::npos);
 }
 
+TEST(NamedColumns, CumulativeMassesAreOfTheLargest) {
+    const std::string masses = "Sieve (mm),Cumulative retained (g)\n19,0\n9.5,120\n2,600\n0.075,800\n";
+    const ParsedSheet parsed = parse_sheet(masses, "sheet.csv", columns("1:mm", &ReadingOptions::retained, "2:g"));
+    ASSERT_EQ(parsed.soils.size(), 1U) << messages_of(parsed);
+    expect_soil({"", {{0.075, 0}, {2, 25}, {9.5, 85}, {19, 100}}}, parsed.soils.front(), "masses");
+    EXPECT_NE(messages_of(parsed).find("a share of the largest, 800 g"), std::string::npos) << messages_of(parsed);
+}
+
+/// What is an error below is one in the first row of values, too.
+TEST(NamedColumns, AFirstRowThatCannotBeReadIsAnError) {
+    const std::string head = "d [mm],passing [%]\n", rows = "0.2,20\n0.6,55\n2,90\n";
+    for (const std::string row : {"0.063,>5", "<0.1,~5", "0.063 approx,5", "~0.063,>5", "0.06.3,5"}) {
+        for (const std::string& text :
+             {head + row + "\n" + rows, row + "\n" + rows, "2026 report\n" + head + row + "\n" + rows}) {
+            const ParsedSheet parsed = parse_sheet(text, "sheet.csv", columns("1:mm", &ReadingOptions::passing, "2"));
+            EXPECT_TRUE(parsed.soils.empty()) << text;
+        }
+    }
+}
+
 /// Half of the grains in each of two classes, from 1 to 2 and from 2 to 4 mm: of mass, 1 : 8.
 TEST(NamedColumns, SharesOfTheNumberOfGrainsAreWeighed) {
     ReadingOptions options;
@@ -103,6 +123,21 @@ TEST(NamedColumns, ARefusalNamesTheOptionsThatWork) {
         refused.remarks.back().help.find("suffuse assess sheet.csv --size 1:mm --share 2 or --size 1:mm --retained 2"),
         std::string::npos
     ) << refused.remarks.back().help;
+}
+
+TEST(NamedColumns, ARefusalExchangesNoColumnsThatAreNamed) {
+    for (const auto& [text, words, others] : std::vector<std::array<std::string, 3>>{
+             {"size_mm,percent_passing\n10,100\n5,80\n5,75\n1,40\n0.1,5\n", "", "--size 2"},
+             {"Sieve (mm),Cumulative retained (g)\n19,0\n9.5,120\n4.75,300\n2,500\n0.425,750\n0.075,900\n",
+              "--size 1:mm --retained 2", "--size 2"},
+             {"Sieve,% Retained\n#4,5\n#10,10\n#20,15\n#40,18\n#60,20\n#100,22\n",
+              "--share 2 or --size 1:mm --retained 2", "--size 2"}}) {
+        const ParsedSheet refused = parse_sheet(text);
+        ASSERT_TRUE(refused.soils.empty()) << text;
+        const std::string all = render(refused.remarks);
+        EXPECT_NE(all.find(words), std::string::npos) << all;
+        EXPECT_EQ(all.find(others), std::string::npos) << all;
+    }
 }
 
 } // namespace

@@ -175,7 +175,7 @@ std::string names_of(const std::vector<NamedGrading>& soils) {
     constexpr std::size_t most = 12;
     std::vector<std::string> names;
     for (std::size_t k = 0; k < std::min(most, soils.size()); ++k) {
-        names.push_back(soils[k].name);
+        names.push_back(soils[k].name.empty() ? soils[k].sample : soils[k].name);
     }
     return fmt::format(
         "{}{}", fmt::join(names, ", "), soils.size() > most ? fmt::format(" and {} more", soils.size() - most) : ""
@@ -186,10 +186,18 @@ std::string names_of(const std::vector<NamedGrading>& soils) {
 NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& sample, const std::string& file) {
     std::vector<std::string> names;
     for (const NamedGrading& soil : soils) {
-        names.push_back(soil.name);
-        if (edit_distance(soil.name, sample) == 0) {
+        names.push_back(soil.name.empty() ? soil.sample : soil.name);
+        if (edit_distance(names.back(), sample) == 0) {
             return soil;
         }
+    }
+    if (names.size() == 1 && names.front().empty()) {
+        throw CaseError(
+            fmt::format(
+                "{}: no sample {}; the file has one curve and names no sample: leave --sample out", file, sample
+            ),
+            file
+        );
     }
     throw CaseError(
         fmt::format("{}: no sample {}{}; it has {}", file, sample, near_hint(sample, names), names_of(soils)), file
@@ -214,7 +222,9 @@ std::vector<NamedGrading> parse_text(
         is_good = is_good && grading;
         if (grading) {
             check_derived(soil.derived, *grading, name, problems);
-            gradings.push_back({name, std::move(*grading), soil.reading});
+            const std::string in_heading = read_heading(soil.reading.share).rest; // "TP9 passing [%]"
+            const std::string& sample = soil.sample.empty() ? in_heading : soil.sample;
+            gradings.push_back({name, sample, std::move(*grading), soil.reading});
         }
     }
     if (is_good && gradings.empty()) {
@@ -294,7 +304,7 @@ GradingFile read_gradings(
     if (problems.has_errors()) {
         throw CaseProblems(std::move(file.remarks));
     }
-    if (!sample.empty() && !(file.soils.size() == 1 && file.soils.front().name.empty())) {
+    if (!sample.empty()) {
         file.soils = {choose(file.soils, sample, source->name)};
     }
     return file;

@@ -17,7 +17,8 @@
 namespace suffuse::gradings {
 
 struct NamedGrading {
-    std::string name; ///< of the sample; empty where the file has one alone
+    std::string name;   ///< of the sample; empty where the file has one alone
+    std::string sample; ///< likewise, but also where it is alone; empty where the file names none
     grains::Grading grading;
     SheetReading reading;
 };

@@ -74,6 +74,27 @@ TEST(ReadGrading, OneSampleIsChosenByNameAndAWrongNameIsAnsweredWithThoseThereAr
     EXPECT_NE(render(problems.sorted()).find("--sample NAME"), std::string::npos);
 }
 
+TEST(ReadGrading, AFileOfOneSoilIsAskedForItsNameToo) {
+    const auto read = [](const std::string& text, const std::string& sample) -> std::string {
+        try {
+            const auto source = std::make_shared<Source>(Source{"s.csv", text});
+            return read_gradings(source, CurveEnds::MayBeOpen, sample).soils.front().sample;
+        } catch (const CaseError& problem) {
+            return problem.what();
+        }
+    };
+    const std::string rows = "0.063,5\n0.2,20\n2,90\n6,100\n";
+    const std::string column = "Sample,d [mm],passing [%]\nTP9,0.063,5\nTP9,0.2,20\nTP9,2,90\nTP9,6,100\n";
+    const std::string across = "Sample,6 mm,2 mm,0.2 mm\nTP9,100,90,20\n";
+    for (const std::string& text :
+         {column, "Sample: TP9\nd [mm],passing [%]\n" + rows, "d [mm],TP9\n" + rows, "d [mm],TP9 passing [%]\n" + rows,
+          across}) {
+        EXPECT_EQ(read(text, "tp9"), "TP9") << text;
+        EXPECT_NE(read(text, "B2").find("no sample B2; it has TP9"), std::string::npos) << read(text, "B2");
+    }
+    EXPECT_NE(read("d [mm],passing [%]\n" + rows, "TP1").find("names no sample"), std::string::npos);
+}
+
 /// Where each cell's column was counted from the start of its line, 32,000 columns took a minute: these would take
 /// hours.
 TEST(ReadGrading, ATableOfFourHundredThousandColumnsIsRefused) {
