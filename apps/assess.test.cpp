@@ -207,6 +207,22 @@ TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     EXPECT_FALSE(simulated["gradients"].empty());
 }
 
+TEST_F(Assess, TakesAFilterOutOfATableOfSeveralSamples) {
+    write_to(
+        folder / "all.csv", "d [mm],base,drain,coarse\n0.1,0,0,0\n1,100,0,0\n2,100,0,0\n8,100,100,40\n32,100,100,100\n"
+    );
+    EXPECT_EQ(call("dyke.csv --filter all.csv"), 3);
+    expect_in("choose it by --filter-sample NAME", error);
+    EXPECT_EQ(call("all.csv --sample base --filter all.csv --filter-sample drain"), 0) << error;
+    expect_out("The filter all.csv, drain");
+    expect_in("suffuse new all.csv --sample base --filter all.csv --filter-sample drain", error);
+    EXPECT_EQ(call("all.csv --sample base --filter all.csv --filter-sample sand"), 3);
+    expect_in("no sample sand; it has base, drain, coarse", error);
+    EXPECT_EQ(call("dyke.csv --filter-sample drain"), 2);
+    EXPECT_EQ(call("dyke.csv --sample TP1"), 3);
+    expect_in("names no sample", error);
+}
+
 TEST_F(Assess, SaysTheFiltersVerdictInTheReportOnThePageAndUnderThePicture) {
     write_to(folder / "filter.csv", "d [mm],passing [%]\n2,0\n8,100\n");
     EXPECT_EQ(call("dyke.csv --filter filter.csv -o dyke"), 0) << error;

@@ -65,8 +65,9 @@ std::string shown_reading(const gradings::GradingFile& file) {
     return text;
 }
 
-gradings::GradingFile
-read_one_grading(const std::string& path, const std::string& sample, const gradings::ReadingOptions& options) {
+gradings::GradingFile read_one_grading(
+    const std::string& path, const std::string& sample, const gradings::ReadingOptions& options, const char* flag
+) {
     gradings::GradingFile file = read_gradings_of(path, sample, options);
     if (file.soils.size() > 1) {
         constexpr std::size_t most = 12;
@@ -77,8 +78,8 @@ read_one_grading(const std::string& path, const std::string& sample, const gradi
         const std::size_t more = names.size() - std::min(most, names.size());
         names.resize(names.size() - more);
         throw CaseError(fmt::format(
-            "{} holds {} samples, and one is needed: {}{}; choose it by --sample NAME", path, file.soils.size(),
-            fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : ""
+            "{} holds {} samples, and one is needed: {}{}; choose it by {} NAME", path, file.soils.size(),
+            fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "", flag
         ));
     }
     return file;

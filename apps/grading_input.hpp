@@ -23,9 +23,14 @@ struct ReadingFlags : gradings::ReadingOptions {
 gradings::GradingFile
 read_gradings_of(const std::string& path, const std::string& sample, const gradings::ReadingOptions& options = {});
 
-/// The one curve that the file holds or `sample` names. @throws CaseError where there are several.
-gradings::GradingFile
-read_one_grading(const std::string& path, const std::string& sample, const gradings::ReadingOptions& options = {});
+/// The one curve that the file holds or `sample` names. @throws CaseError where there are several, with the flag that
+/// names one.
+gradings::GradingFile read_one_grading(
+    const std::string& path, const std::string& sample, const gradings::ReadingOptions& options = {},
+    const char* flag = "--sample"
+);
+
+inline constexpr const char* filter_sample_flag = "--filter-sample";
 
 /// Which columns were read as what, and the points, soil by soil.
 std::string shown_reading(const gradings::GradingFile& file);

@@ -208,9 +208,12 @@ int new_surrogate(
 int new_stack(
     const OwnCurve& curve, const SoilRequest& request, const OwnConditions& conditions, const Console& console
 ) {
-    const gradings::GradingFile read = read_one_grading(request.filter, "", request.reading);
+    const gradings::GradingFile read =
+        read_one_grading(request.filter, request.filter_sample, request.reading, filter_sample_flag);
     print_remarks(read, console);
-    const OwnStack stack = model_own_stack(curve.grading, curve.name, read.soils.front().grading, request.filter);
+    const gradings::NamedGrading& filter = read.soils.front();
+    const std::string name = filter.name.empty() ? request.filter : filter.name + ".csv";
+    const OwnStack stack = model_own_stack(curve.grading, curve.name, filter.grading, name);
     const fs::path folder = curve.folder.empty() ? stack.base + "-and-" + stack.filter : curve.folder;
     const std::vector<std::string> files = write_new(
         {{folder / "case.toml", own_case_text(stack, conditions)},

@@ -33,7 +33,8 @@ struct SoilRequest {
     std::optional<std::int64_t> particles; ///< of the quick preset
     std::string pressure;                  ///< on the soil
     std::optional<double> gradient;
-    std::string filter; ///< grading curve of what is to hold that soil
+    std::string filter;        ///< grading curve of what is to hold that soil
+    std::string filter_sample; ///< of a file of several curves
     bool surrogate = false;
     std::string flow; ///< which way the water goes through fines that have weight
 };

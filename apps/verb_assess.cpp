@@ -56,7 +56,7 @@ struct AssessVerb final : Verb {
     std::string sample;             ///< of a file that holds several
     ReadingFlags reading;
     bool shows_reading = false;
-    std::string filter; ///< another soil, which is to hold these
+    std::string filter, filter_sample; ///< another soil, which is to hold these
     bool wants_page = false;
     std::string fines; ///< size below which grains are fine, with its unit
     std::optional<double> seepage_gradient, relative_density, porosity;
@@ -78,7 +78,11 @@ struct AssessVerb final : Verb {
         options.value("--sample", sample, "only this sample of a table with several").type("NAME");
         options.flag("--show-reading", shows_reading, "print which columns are read as what, and the points; no more");
         reading.add_to(options, "COLUMN[:UNIT] and other words on how FILE is read: docs/gradings.md");
-        options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
+        const Option other =
+            options.value("--filter", filter, "another grading: is it a filter for these soils?").type("FILE");
+        options.value(filter_sample_flag, filter_sample, "with --filter: only this sample of a table with several")
+            .type("NAME")
+            .needs(other);
         options.flag("--page", wants_page, "write one HTML file in which curves and sliders can be moved");
         options.value("--fines", fines, "size below which grains count as fine; found on the curve unless given")
             .type("D");
@@ -240,13 +244,15 @@ std::vector<job::AssessedSoil> assess_all(const std::vector<MeasuredSoil>& verb)
 }
 
 /// Judges another soil as a filter of all of them.
-void add_filter(const std::string& file, const Console& console, std::vector<job::AssessedSoil>& soils) {
-    const gradings::GradingFile read = read_one_grading(file, "");
+void add_filter(const AssessVerb& verb, const Console& console, std::vector<job::AssessedSoil>& soils) {
+    const gradings::GradingFile read = read_one_grading(verb.filter, verb.filter_sample, {}, filter_sample_flag);
     print_remarks(read, console);
+    const gradings::NamedGrading& filter = read.soils.front();
+    const std::string name = filter.name.empty() ? verb.filter : fmt::format("{}, {}", verb.filter, filter.name);
     for (job::AssessedSoil& soil : soils) {
-        const grains::Grading& measured = read.soils.front().grading;
+        const grains::Grading& measured = filter.grading;
         soil.filter = {
-            file, stability::check_filter(soil.measured, measured), job::consult_filter_atlas(soil.measured, measured)};
+            name, stability::check_filter(soil.measured, measured), job::consult_filter_atlas(soil.measured, measured)};
     }
 }
 
@@ -357,12 +363,13 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks);
     std::vector<job::AssessedSoil> soils = assess_all(verb);
     if (!filter.empty()) {
-        add_filter(filter, console, soils);
+        add_filter(*this, console, soils);
     }
     if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml") {
         console.talk(fmt::format(
-            "how far the base gets into this filter, simulated: suffuse new {} --filter {}", shell_word(files.front()),
-            shell_word(filter)
+            "how far the base gets into this filter, simulated: suffuse new {}{} --filter {}{}",
+            shell_word(files.front()), sample.empty() ? "" : " --sample " + shell_word(sample), shell_word(filter),
+            filter_sample.empty() ? "" : fmt::format(" {} {}", filter_sample_flag, shell_word(filter_sample))
         ));
     }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);

@@ -66,10 +66,19 @@ struct NewVerb final : Verb {
             )
             .excludes(part)
             .excludes(example);
-        options.value("--filter", own.filter, "with --psd: another grading, packed behind the soil: does it hold it?")
-            .type("FILE")
-            .excludes(part)
-            .excludes(example);
+        const Option filter = options
+                                  .value(
+                                      "--filter", own.filter,
+                                      "with --psd: another grading, packed behind the soil: does it hold it? "
+                                      "--filter-sample NAME takes it out of a table with several"
+                                  )
+                                  .type("FILE")
+                                  .excludes(part)
+                                  .excludes(example);
+        options.value(filter_sample_flag, own.filter_sample, "only this sample of the filter's table")
+            .type("NAME")
+            .needs(filter)
+            .of_group("");
         options
             .value(
                 "--fines", own.fines,

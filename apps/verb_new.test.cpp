@@ -64,6 +64,15 @@ TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
     EXPECT_EQ(run_suffuse({"plan", path}).code, 0);
     const ProgramResult assessed = run_suffuse({"assess", "base.csv", "--filter", "drain.csv"});
     expect_in("suffuse new base.csv --filter drain.csv", assessed.error);
+    write_to(folder / "two.csv", "d [mm],fine,drain\n0.2,0,0\n0.25,100,0\n0.9,100,0\n1.1,100,100\n");
+    expect_in(
+        "choose it by --filter-sample NAME", run_suffuse({"new", "z", "--psd", "base.csv", "--filter", "two.csv"}).error
+    );
+    const ProgramResult both =
+        run_suffuse({"new", "two.csv", "--sample", "fine", "--filter", "two.csv", "--filter-sample", "drain", "-i", "5"}
+        );
+    ASSERT_EQ(both.code, 0) << both.error;
+    expect_in("fine-and-drain/case.toml", both.out);
     const ProgramResult swapped = run_suffuse({"new", "x", "--psd", "drain.csv", "--filter", "base.csv"});
     EXPECT_EQ(swapped.code, 3);
     expect_in("finer than its base", swapped.error);

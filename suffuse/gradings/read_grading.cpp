@@ -194,7 +194,7 @@ NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& s
     if (names.size() == 1 && names.front().empty()) {
         throw CaseError(
             fmt::format(
-                "{}: no sample {}; the file has one curve and names no sample: leave --sample out", file, sample
+                "{}: no sample {}: the file has one curve and names no sample; read it without a name", file, sample
             ),
             file
         );

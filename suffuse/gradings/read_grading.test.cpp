@@ -74,7 +74,7 @@ TEST(ReadGrading, OneSampleIsChosenByNameAndAWrongNameIsAnsweredWithThoseThereAr
     EXPECT_NE(render(problems.sorted()).find("--sample NAME"), std::string::npos);
 }
 
-TEST(ReadGrading, AFileOfOneSoilIsAskedForItsNameToo) {
+TEST(ReadGrading, AFileOfOneSoilMustHaveTheNameToo) {
     const auto read = [](const std::string& text, const std::string& sample) -> std::string {
         try {
             const auto source = std::make_shared<Source>(Source{"s.csv", text});
