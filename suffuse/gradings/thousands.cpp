@@ -147,12 +147,15 @@ private:
     }
 
     void settle_sizes(const SizeColumn& size) {
-        if (const auto found = grouped(size.index)) {
-            const ThousandsJudge judge(table_);
+        const auto found = grouped(size.index);
+        if (!found) {
+            return;
+        }
+        const ThousandsJudge judge(table_);
+        const bool may_be_thousands = judge.may_be_thousands(size);
+        if (may_be_thousands || sign_ == 0) { // else two marks are decimal ones, an error of its own
             const bool thousands = judge.is_ordered(size.index, true), decimals = judge.is_ordered(size.index, false);
-            settle_column(
-                size.index, *found, thousands, decimals, judge.may_be_thousands(size), "the order of the sizes"
-            );
+            settle_column(size.index, *found, thousands, decimals, may_be_thousands, "the order of the sizes");
         }
     }
 
