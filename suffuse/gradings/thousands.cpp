@@ -1,6 +1,7 @@
 #include "suffuse/gradings/thousands.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/base/units.hpp"
 #include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet_values.hpp"
 
@@ -104,7 +105,7 @@ public:
         const bool is_cumulative =
             share.meaning == ShareMeaning::Passing || share.meaning == ShareMeaning::CumulativeRetained;
         bool is_good = !is_cumulative || !table_.columns->sample_key.empty() || is_ordered(share.index, is_thousands);
-        double sum = 0;
+        double sum = 0, held = 0;
         for (const SheetRow* row : rows_) {
             const auto value = number_in(text_at(*row, share.index), is_thousands);
             const auto tare = share.tare ? number_in(text_at(*row, *share.tare), is_thousands) : 0;
@@ -115,11 +116,23 @@ public:
             is_good = is_good && *value >= *tare;
             is_good = is_good && (!is_total || is_cumulative || std::abs(*value - sum) <= lost * sum);
             sum = is_total ? 0 : sum + *value - *tare;
+            held = std::max(held, is_cumulative ? *value : sum);
         }
-        return is_good;
+        return is_good && (!has_dry_mass(share) || may_be_of_dry_mass(held, share));
+    }
+
+    /// Whether a title states the mass that the column is part of.
+    [[nodiscard]] bool has_dry_mass(const ShareColumn& share) const {
+        return table_.dry && share.unit == ShareUnit::Mass && table_.columns->shares.size() == 1;
     }
 
 private:
+    [[nodiscard]] bool may_be_of_dry_mass(double held, const ShareColumn& share) const {
+        constexpr double least = 0.002, most = 1.02; // what sieves hold; a thousandth is the other reading
+        const double mass = held * parse_quantity(fmt::format("1 {}", share.mass_unit), dimension::mass);
+        return mass >= least * *table_.dry && mass <= most * *table_.dry;
+    }
+
     const SheetTable& table_;
     std::vector<const SheetRow*> rows_;
 };
@@ -169,7 +182,8 @@ private:
         }
         const ThousandsJudge judge(table_);
         const bool thousands = judge.fits(share, true), decimals = judge.fits(share, false);
-        const bool is_mixed = (own && own->has_plain) || (tare && tare->has_plain) || (share.tare && !(own && tare));
+        const bool is_mixed = (own && own->has_plain) || (tare && tare->has_plain) || (share.tare && !(own && tare)) ||
+                              judge.has_dry_mass(share);
         if (own) {
             settle_column(share.index, *own, thousands, decimals, is_mixed, "the other numbers of the table");
         }

@@ -1,6 +1,6 @@
 #pragma once
 // Marks between thousands: "1,250" is 1250 or 1.25. Other numbers of the sheet decide (0.5, 12,75, 1,250,000); in a
-// table of sieves also the order of the sizes, totals and empty sieves. What nothing decides is an error.
+// table of sieves also the order of the sizes, totals, a dry mass and empty sieves. What nothing decides is an error.
 
 #include "suffuse/gradings/sheet.hpp"
 #include "suffuse/gradings/sheet_tables.hpp"
