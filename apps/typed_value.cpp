@@ -35,7 +35,10 @@ double quantity_of(const std::string& text, Dimension dimension, const std::stri
         if (bare_is_si) {
             return value;
         }
-        const std::string unit = dimension == dimension::time ? "min" : usual_units(dimension).front();
+        constexpr double dense = 100; // [kg/m^3]: what is less means g/cm^3
+        const std::string unit = dimension == dimension::time                       ? "min"
+                                 : dimension == dimension::density && value < dense ? "g/cm^3"
+                                                                                    : usual_units(dimension).front();
         throw UsageError(fmt::format("{} {} has no unit; write {}{}", flag, shown(text), shown(text), unit));
     }
     try {
