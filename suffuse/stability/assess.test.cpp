@@ -229,6 +229,20 @@ TEST(Assess, EveryCriterionIsInTheDocumentation) {
     }
 }
 
+TEST(Assess, InclinedSeepageHasNoHigherLimitThanVertical) {
+    const grains::Grading grading{{0.1e-3, 0.2e-3, 1e-3, 2e-3}, {0, 0.2, 0.2, 1}, ""};
+    for (const double rise : {1.0, 30.0, 89.0}) {
+        AssessSpec spec;
+        spec.seepage = Seepage{.gradient = 0.5, .stress_share = 0.09, .flow = FlowWay{rise}};
+        const std::vector<Criterion> gradients = assess(grading, spec).gradients;
+        EXPECT_NEAR(*gradients[0].limit, 0.99, 1e-12);
+        EXPECT_EQ(gradients[0].verdict, Verdict::CannotSay) << "level flow moves grains below the limit";
+        EXPECT_EQ(gradients[0].remark.find("factor"), std::string::npos) << gradients[0].remark;
+        EXPECT_NEAR(*gradients[1].limit, 0.09 * 0.99, 1e-12);
+        EXPECT_EQ(gradients[1].verdict, Verdict::Unstable);
+    }
+}
+
 TEST(Assess, LevelAndDownwardSeepageLiftNothingAndHaveNoCriticalGradient) {
     const grains::Grading grading{{0.1e-3, 0.2e-3, 1e-3, 2e-3}, {0, 0.2, 0.2, 1}, ""};
     AssessSpec spec;

@@ -10,22 +10,29 @@ namespace {
 
 constexpr double water_density = 1000; // [kg/m3]
 
-/// Number i, limit i_c, and what is left of it.
+/// Number i, limit i_c, and what is left of it. Below the limit of vertical flow an inclined one may still move grains:
+/// level flow does so at lower gradients, for which there is no formula here.
 Criterion against(std::string_view id, const Seepage& seepage, double critical) {
     Criterion criterion = define(id);
     criterion.value = seepage.gradient;
     criterion.limit = critical;
     criterion.verdict = judge(criterion);
+    if (criterion.verdict == Verdict::Stable && seepage.way() != upward) {
+        criterion.verdict = Verdict::CannotSay;
+    }
     return criterion;
 }
 
-/// The gradient that lifts the whole soil; of an inclined flow its upward part does.
 double heave_of(const Seepage& seepage) {
-    return terzaghi_gradient(seepage.porosity, seepage.grain_density) / lift_of(seepage.way());
+    return terzaghi_gradient(seepage.porosity, seepage.grain_density);
 }
 
 /// The critical gradient over the specified one.
 std::string factor_of_safety(const Criterion& criterion) {
+    if (criterion.verdict == Verdict::CannotSay) {
+        return "the limit is that of vertical flow; toward level flow there is none, and grains move at lower "
+               "gradients: see the atlas";
+    }
     return *criterion.value > 0 ? fmt::format("factor of safety {:.2g}", *criterion.limit / *criterion.value)
                                 : "no seepage, so no factor of safety";
 }

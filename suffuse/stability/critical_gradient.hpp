@@ -25,10 +25,11 @@ struct Seepage {
 /// (Gs - 1)(1 - n): the gradient that carries the whole weight of the soil.
 double terzaghi_gradient(double porosity, double grain_density);
 
-/// Stable while i stays below (Gs - 1)(1 - n), over the upward part of the flow. The flow lifts.
+/// Stable while i stays below (Gs - 1)(1 - n). The flow lifts; where it is inclined, it is unstable above that limit of
+/// vertical flow, and below it the criterion cannot say.
 Criterion terzaghi(const Seepage& seepage);
 
-/// Stable while i stays below alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
+/// The same with alpha (Gs - 1)(1 - n). `by_shape` is what Kenney and Lau 1985 say: where the soil is
 /// stable all grains carry, alpha = 1 [Skempton and Brogan 1994, abstract]. That is their stricter limit, H/F >= 1.3:
 /// from 1 to 1.3 their two limits disagree, and to take alpha = 1 there would be to the unsafe side. Elsewhere alpha
 /// must be known; without it the criterion cannot say, and gives the alpha that the fines would need.
