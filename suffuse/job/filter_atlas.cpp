@@ -54,11 +54,13 @@ std::string verdict_text(double gradient, const FilterNode& node) {
     );
 }
 
-/// Without their points. A finer filter, and a narrower base, than all of the atlas are on the safe side of it.
+/// Without their points. Where the nearest filter holds, a finer filter and a narrower base than all of the atlas are
+/// on the safe side of it. Where it does not, a finer one may hold or not.
 std::vector<std::string>
 sentences_outside(const BaseOnFilter& pair, const std::string& extent, const FilterFound& found) {
     const FilterNode& nearest = found.nearest;
-    const bool is_safe = pair.ratio < nearest.ratio && pair.width <= nearest.width;
+    const bool holds = nearest.ended && nearest.passed.mean <= answer::most_lost;
+    const bool is_safe = holds && pair.ratio < nearest.ratio && pair.width <= nearest.width;
     return {
         fmt::format(
             "No simulated base is like this one ({}): the atlas of filters has {}", place_text(pair.ratio, pair.width),
@@ -118,10 +120,10 @@ FilterAtlasAnswer consult_filter_atlas(
     FilterAtlasAnswer answer;
     const stability::BaseSoil soil = stability::characterize_base(base);
     const auto d15 = stability::size_within(filter, 0.15);
-    if (rows.empty() || !soil.d85 || !soil.width || !d15) {
+    if (rows.empty() || !soil.d85.is_known() || !soil.width || !d15) {
         return answer;
     }
-    answer.pair = BaseOnFilter{*d15 / *soil.d85, *soil.width};
+    answer.pair = BaseOnFilter{*d15 / soil.d85.least, *soil.width};
     answer.extent = extent_of(rows);
     answer.found = atlas::look_up_filter(rows, answer.pair->ratio, answer.pair->width);
     for (const FilterFound& found : answer.found) {

@@ -59,6 +59,15 @@ TEST(FilterAtlas, OutsideItNamesTheNearestAndSaysWhereThatIsNoAnswer) {
     EXPECT_EQ(fine.find("that is no answer for yours"), std::string::npos) << "a finer filter holds as well";
 }
 
+TEST(FilterAtlas, AFilterThatLetsItsBasePassSaysNothingOfAFinerOne) {
+    for (const auto& row :
+         {base_on_filter(4, 2, 0.065, false), base_on_filter(4, 2, 0.02, false), base_on_filter(4, 2, 0.3)}) {
+        const std::string text =
+            summary_of(consult_filter_atlas(straight_curve(0.1e-3, 0.19e-3), straight_curve(0.4e-3, 0.5e-3), {row}));
+        EXPECT_NE(text.find("that is no answer for yours"), std::string::npos) << text;
+    }
+}
+
 TEST(FilterAtlas, NamesWhatWasNotMeasured) {
     const Grading open = {{0.1e-3, 0.2e-3}, {0.3, 1}, "open"};
     const FilterAtlasAnswer answer = consult_filter_atlas(open, straight_curve(1e-3, 2e-3), few_filters);

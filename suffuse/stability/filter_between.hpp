@@ -6,6 +6,7 @@
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/stability/assess.hpp"
 #include "suffuse/stability/criterion.hpp"
+#include "suffuse/stability/measured_part.hpp"
 
 #include <optional>
 #include <string>
@@ -18,23 +19,24 @@ namespace suffuse::stability {
 struct BaseSoil {
     std::optional<double> regraded_on; ///< the size above which grains are left out [m]; nothing: the curve as it is
     bool has_gap = false;              ///< that size is the fine end of a gap
-    int category = 0;                  ///< 1 to 4 by fines, 0 where they were not measured
+    int category = 0;                  ///< 1 to 4 by fines, 0 where they are not known well enough
     std::optional<double> fines;       ///< finer than 0.075 mm [-]
-    std::optional<double> d85;         ///< [m]
+    SizeBounds d85;                    ///< [m]
     std::optional<double> width;       ///< d85/d15 [-]
-    std::optional<double> d95;         ///< [m]
-    std::optional<double> d15;         ///< of the base as it is, not regraded [m]
+    SizeBounds d95;                    ///< [m]
+    SizeBounds d15;                    ///< of the base as it is, not regraded [m]
 };
 
-/// @param measured may be open at its ends; sizes that were not measured are left out
+/// @param measured may be open at its ends; of sizes that were not measured it gives bounds
 BaseSoil characterize_base(const grains::Grading& measured);
 
-/// The largest D15 of a filter by the fines of the base [m].
+/// The largest D15 of a filter by the fines of the base.
 struct LargestFilter {
-    double d15 = 0;
-    std::string rule;
+    SizeBounds d15;   ///< [m]
+    std::string rule; ///< " (4 d85)"; empty where it is a number
 };
 
+/// Nothing where the category of the base is not known.
 std::optional<LargestFilter> largest_filter(const BaseSoil& base);
 
 /// A filter of a base.

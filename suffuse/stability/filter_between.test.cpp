@@ -32,19 +32,19 @@ TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
 TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     const auto with = [](double fines, double d85) {
         BaseSoil base;
-        base.fines = fines, base.d85 = d85;
+        base.fines = fines, base.d85 = {d85, d85};
         base.category = fines > 0.85 ? 1 : fines >= 0.40 ? 2 : fines >= 0.15 ? 3 : 4;
-        return largest_filter(base).value();
+        return largest_filter(base).value().d15.least;
     };
-    EXPECT_NEAR(with(0.90, 0.05e-3).d15, 0.45e-3, 1e-12);
-    EXPECT_NEAR(with(0.95, 0.01e-3).d15, 0.2e-3, 1e-12); // at least
-    EXPECT_NEAR(with(0.60, 0.2e-3).d15, 0.7e-3, 1e-12);
-    EXPECT_NEAR(with(0.40, 1e-3).d15, 0.7e-3, 1e-12);
-    EXPECT_NEAR(with(0.39999, 1e-3).d15, 0.7e-3, 2e-7); // joined at 40 % ...
-    EXPECT_NEAR(with(0.15, 1e-3).d15, 4e-3, 1e-12);
-    EXPECT_NEAR(with(0.1499, 1e-3).d15, 4e-3, 1e-12);   // ... and at 15 %
-    EXPECT_NEAR(with(0.20, 1e-3).d15, 3.34e-3, 1e-12);  // 0.7 + 20/25 (4 - 0.7) mm
-    EXPECT_NEAR(with(0.20, 0.1e-3).d15, 0.7e-3, 1e-12); // no less where 4 d85 is finer
+    EXPECT_NEAR(with(0.90, 0.05e-3), 0.45e-3, 1e-12);
+    EXPECT_NEAR(with(0.95, 0.01e-3), 0.2e-3, 1e-12); // at least
+    EXPECT_NEAR(with(0.60, 0.2e-3), 0.7e-3, 1e-12);
+    EXPECT_NEAR(with(0.40, 1e-3), 0.7e-3, 1e-12);
+    EXPECT_NEAR(with(0.39999, 1e-3), 0.7e-3, 2e-7); // joined at 40 % ...
+    EXPECT_NEAR(with(0.15, 1e-3), 4e-3, 1e-12);
+    EXPECT_NEAR(with(0.1499, 1e-3), 4e-3, 1e-12);   // ... and at 15 %
+    EXPECT_NEAR(with(0.20, 1e-3), 3.34e-3, 1e-12);  // 0.7 + 20/25 (4 - 0.7) mm
+    EXPECT_NEAR(with(0.20, 0.1e-3), 0.7e-3, 1e-12); // no less where 4 d85 is finer
 }
 
 TEST(FilterBetween, TheCategoryOfABaseFollowsItsFines) {
@@ -65,19 +65,59 @@ TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
     const BaseSoil found = characterize_base(base);
     EXPECT_EQ(found.regraded_on, 4.75e-3);
     EXPECT_FALSE(found.has_gap);
-    EXPECT_NEAR(found.d85.value(), 0.05e-3 * std::pow(95, 0.85), 1e-9);
+    EXPECT_NEAR(found.d85.least, 0.05e-3 * std::pow(95, 0.85), 1e-9);
     EXPECT_NEAR(found.fines.value(), std::log(1.5) / std::log(95), 1e-12);
-    EXPECT_NEAR(found.d15.value(), 0.05e-3 * std::pow(95, 0.30), 1e-9); // of the whole base
+    EXPECT_NEAR(found.d15.least, 0.05e-3 * std::pow(95, 0.30), 1e-9); // of the whole base
 }
 
 TEST(FilterBetween, WhatWasNotMeasuredIsNotGuessed) {
     const grains::Grading open{{0.075e-3, 0.6e-3, 4e-3}, {0.2, 0.6, 1}, ""};
     const auto criteria = check_filter(open, straight(1e-3, 2e-3)).criteria;
-    EXPECT_TRUE(criteria[0].value);                     // d85 was
-    EXPECT_EQ(criteria[3].verdict, Verdict::CannotSay); // d15 was not
-    EXPECT_NE(criteria[3].remark.find("not measured"), std::string::npos);
+    EXPECT_TRUE(criteria[0].value);    // d85 was
     EXPECT_TRUE(criteria[1].verified); // category 3
-    EXPECT_EQ(check_filter(straight(1e-4, 1e-3), open).criteria[0].verdict, Verdict::CannotSay);
+    // d15 is finer than 0.075 mm: a filter of 0.3 mm may be too fine for it or not.
+    const Criterion unknown = check_filter(open, straight(0.29e-3, 0.3e-3)).criteria[3];
+    EXPECT_EQ(unknown.verdict, Verdict::CannotSay);
+    EXPECT_NE(unknown.remark.find("not measured"), std::string::npos);
+    EXPECT_FALSE(unknown.value);
+}
+
+TEST(FilterBetween, WhatIsCertainWithoutAMeasurementIsJudged) {
+    const auto verdict = [](const grains::Grading& base, const grains::Grading& filter, std::size_t rule) {
+        return check_filter(base, filter).criteria[rule].verdict;
+    };
+    // d85 and d95 of the base are finer than 0.075 mm and at most 0.35 mm; D15 of the filter is 0.711 mm.
+    const grains::Grading fine{{0.075e-3, 0.425e-3, 2e-3, 4.75e-3}, {.90, .96, .99, 1}, ""};
+    const grains::Grading coarse{{0.3e-3, 0.6e-3, 1e-3, 5e-3, 20e-3, 40e-3}, {0, .10, .25, .60, .95, 1}, ""};
+    const auto certain = check_filter(fine, coarse).criteria;
+    EXPECT_EQ(certain[0].verdict, Verdict::Unstable); // above 9.5
+    EXPECT_EQ(certain[1].verdict, Verdict::Unstable); // at most 9 d85, below 0.675 mm
+    EXPECT_FALSE(certain[0].value);
+    EXPECT_NE(certain[0].remark.find("the ratio is above 9.4"), std::string::npos) << certain[0].remark;
+    // D15 of the filter is below 0.6 mm: no more than 4 d85 = 0.8 mm, and less than 5 d15 = 0.75 mm.
+    const grains::Grading open{{0.6e-3, 1e-3, 5e-3}, {.20, .25, 1}, ""}, sand = straight(0.14e-3, 0.22e-3);
+    EXPECT_EQ(verdict(sand, open, 0), Verdict::Stable);
+    EXPECT_EQ(verdict(sand, open, 1), Verdict::Stable);
+    EXPECT_EQ(verdict(sand, open, 3), Verdict::Unstable);
+    EXPECT_EQ(verdict(straight(0.05e-3, 0.14e-3), open, 0), Verdict::CannotSay); // 4 d85 = 0.48 mm
+    // Less than 15 % pass 0.15 mm, so fewer are finer than 0.075 mm: category 4.
+    EXPECT_EQ(characterize_base({{0.15e-3, 2e-3}, {0.14, 1}, ""}).category, 4);
+    EXPECT_EQ(characterize_base({{0.15e-3, 2e-3}, {0.16, 1}, ""}).category, 0);
+}
+
+TEST(FilterBetween, ItsSentencesGiveTheNumberThatDecides) {
+    // D15F = 0.09 mm is 60 d15B, and below 0.1 mm.
+    const Criterion drains = check_filter(straight(1e-6, 0.1e-3), straight(0.089e-3, 0.1e-3)).criteria[3];
+    EXPECT_EQ(drains.verdict, Verdict::Unstable);
+    EXPECT_EQ(drains.measure, "D15F/0.1 mm");
+    EXPECT_LT(drains.value.value(), drains.limit.value());
+    const auto no_erosion = [](double fines) {
+        const grains::Grading base{{0.04e-3, 0.075e-3, 0.2e-3}, {0, fines, 1}, ""};
+        return check_filter(base, straight(1e-3, 2e-3)).criteria[1].remark;
+    };
+    EXPECT_NE(no_erosion(0.5).find("at most 0.7 mm; not"), std::string::npos) << no_erosion(0.5);
+    EXPECT_NE(no_erosion(0.3).find("at most 0.7 mm (between 0.7 mm at 40 %"), std::string::npos) << no_erosion(0.3);
+    EXPECT_NE(no_erosion(0.1).find(" mm (4 d85); not"), std::string::npos) << no_erosion(0.1);
 }
 
 /// A laboratory's gravel with a gap from 0.25 to 2 mm, and a sandy filter for it.

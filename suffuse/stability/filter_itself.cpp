@@ -1,7 +1,6 @@
 #include "suffuse/stability/filter_itself.hpp"
 
 #include "suffuse/base/error.hpp"
-#include "suffuse/stability/measured_part.hpp"
 
 #include <fmt/format.h>
 
@@ -95,7 +94,7 @@ std::optional<WashedOut> washed_out_d15(const Grading& filter, const Assessment&
         return std::nullopt;
     }
     const double content = own.fines->content;
-    return WashedOut{own.fines->finer_than, size_within(filter, content + 0.15 * (1 - content))};
+    return WashedOut{own.fines->finer_than, size_bounds(filter, content + 0.15 * (1 - content))};
 }
 
 } // namespace suffuse::stability

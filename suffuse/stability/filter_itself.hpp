@@ -3,6 +3,7 @@
 // dumped [NRCS 2017], and a coarse part that holds its own fine one [Kenney and Lau 1986] [Kezdi 1979].
 
 #include "suffuse/stability/assess.hpp"
+#include "suffuse/stability/measured_part.hpp"
 
 #include <optional>
 #include <vector>
@@ -14,8 +15,8 @@ std::vector<Criterion> judge_filter_itself(const grains::Grading& filter, const 
 
 /// What is left of a filter whose coarse part does not hold its fine one.
 struct WashedOut {
-    double finer_than = 0;     ///< grains that water can take [m]
-    std::optional<double> d15; ///< of the others; nothing where it was not measured [m]
+    double finer_than = 0; ///< grains that water can take [m]
+    SizeBounds d15;        ///< of the others [m]
 };
 
 /// Nothing for a filter that is stable, or has no fine fraction.

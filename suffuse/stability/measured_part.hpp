@@ -3,6 +3,7 @@
 
 #include "suffuse/grains/grading.hpp"
 
+#include <limits>
 #include <optional>
 
 namespace suffuse::stability {
@@ -13,6 +14,22 @@ inline constexpr double sieve_200 = 0.075e-3; ///< what passes it is fines by AS
 inline std::optional<double> size_within(const grains::Grading& grading, double share) {
     const bool is_measured = share >= grading.passing.front() && share <= grading.passing.back();
     return is_measured ? std::optional(grains::size_at(grading, share)) : std::nullopt;
+}
+
+/// Between which sizes one lies [m]; both are the same where it was measured.
+struct SizeBounds {
+    double least = 0, most = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool is_known() const { return least == most; }
+};
+
+/// Of the size below which a share of the mass lies: a share that the finest measured size passes is finer than that.
+inline SizeBounds size_bounds(const grains::Grading& grading, double share) {
+    if (const auto size = size_within(grading, share)) {
+        return {*size, *size};
+    }
+    return share < grading.passing.front() ? SizeBounds{0, grading.diameter.front()}
+                                           : SizeBounds{grading.diameter.back()};
 }
 
 /// The share finer than a size [m].
