@@ -133,6 +133,15 @@ void print_assumed(const OwnConditions& conditions, const fs::path& path, const 
     }
 }
 
+/// "table.csv --sample TP1": what names the curve to `suffuse assess`, or after --psd.
+std::string curve_words(const SoilRequest& request) {
+    return fmt::format(
+        "{}{}{}", shell_word(request.curve_file),
+        request.sample.empty() ? "" : " --sample " + shell_word(request.sample),
+        request.reading.is_empty() ? "" : " " + gradings::command_words(request.reading)
+    );
+}
+
 /// The curve of the user's soil, and the folder of its case.
 struct OwnCurve {
     std::string path; ///< of the sheet
@@ -148,16 +157,42 @@ struct WrittenCase {
     plan::RunPlan plan;
 };
 
+/// The path, or the outermost of its folders that does not exist yet.
+fs::path outermost_new(fs::path path) {
+    for (path = fs::absolute(path); !fs::exists(path.parent_path());) {
+        path = path.parent_path();
+    }
+    return path;
+}
+
+/// Nothing stays of a case that cannot be priced.
+WrittenCase write_case(const fs::path& folder, const std::vector<NewFile>& files, const Console& console) {
+    std::vector<fs::path> made;
+    for (const NewFile& file : files) {
+        made.push_back(outermost_new(file.path));
+    }
+    WrittenCase written{folder, write_new(files), {}};
+    try {
+        written.plan = price_of(folder / "case.toml");
+    } catch (...) {
+        for (const fs::path& path : made) {
+            fs::remove_all(path);
+        }
+        throw;
+    }
+    console.result(fmt::format("{}", fmt::join(written.files, "\n")));
+    return written;
+}
+
 WrittenCase
 write_own_case(const OwnCurve& curve, const std::string& soil, const std::string& case_text, const Console& console) {
-    WrittenCase written{curve.folder.empty() ? soil : curve.folder, {}, {}};
-    written.files = write_new(
-        {{written.folder / "case.toml", case_text},
-         {written.folder / "data" / (soil + ".csv"), own_grading_text(curve.grading, curve.path)}}
+    const fs::path folder = curve.folder.empty() ? soil : curve.folder;
+    return write_case(
+        folder,
+        {{folder / "case.toml", case_text},
+         {folder / "data" / (soil + ".csv"), own_grading_text(curve.grading, curve.path)}},
+        console
     );
-    console.result(fmt::format("{}", fmt::join(written.files, "\n")));
-    written.plan = price_of(written.folder / "case.toml");
-    return written;
 }
 
 int new_surrogate(
@@ -165,7 +200,7 @@ int new_surrogate(
     const OwnConditions& conditions, const Console& console
 ) {
     const double most = request.particles ? static_cast<double>(*request.particles) : most_quick_grains;
-    const OwnSurrogate own = model_surrogate(curve.grading, curve.name, limit, most);
+    const OwnSurrogate own = model_surrogate(curve.grading, curve.name, limit, most, curve_words(request));
     const grains::Surrogate& surrogate = *own.soil.surrogate;
     const std::vector<std::string> left_out = answer::left_out_of(own.soil, own.ratios.back());
     const WrittenCase written = write_own_case(curve, own.name, own_case_text(own, conditions), console);
@@ -213,17 +248,24 @@ int new_stack(
     print_remarks(read, console);
     const gradings::NamedGrading& filter = read.soils.front();
     const std::string name = filter.name.empty() ? request.filter : filter.name + ".csv";
-    const OwnStack stack = model_own_stack(curve.grading, curve.name, filter.grading, name);
+    const std::string with_sample = request.filter_sample.empty()
+                                        ? ""
+                                        : fmt::format(" {} {}", filter_sample_flag, shell_word(request.filter_sample));
+    const OwnStack stack = model_own_stack(
+        curve.grading, curve.name, filter.grading, name,
+        curve_words(request) + " --filter " + shell_word(request.filter) + with_sample
+    );
     const fs::path folder = curve.folder.empty() ? stack.base + "-and-" + stack.filter : curve.folder;
-    const std::vector<std::string> files = write_new(
+    const WrittenCase written = write_case(
+        folder,
         {{folder / "case.toml", own_case_text(stack, conditions)},
          {folder / "data" / (stack.base + ".csv"), own_grading_text(stack.base_curve, curve.path)},
-         {folder / "data" / (stack.filter + ".csv"), own_grading_text(stack.filter_curve, request.filter)}}
+         {folder / "data" / (stack.filter + ".csv"), own_grading_text(stack.filter_curve, request.filter)}},
+        console
     );
-    console.result(fmt::format("{}", fmt::join(files, "\n")));
-    const plan::RunPlan plan = price_of(folder / "case.toml");
+    const plan::RunPlan& plan = written.plan;
     console.document(json_text(
-        {{"written", files},
+        {{"written", written.files},
          {"base_grains", stack.base_grains},
          {"filter_grains", stack.filter_grains},
          {"base_thickness", stack.base_thickness},
@@ -259,7 +301,9 @@ int new_from_soil(const SoilRequest& request, const Console& console) {
     if (request.surrogate) {
         return new_surrogate(curve, limit, request, conditions, console);
     }
-    const OwnSoil soil = model_own_soil(curve.grading, curve.name, {sizes_of(request.sizes), limit, request.particles});
+    const OwnSoil soil = model_own_soil(
+        curve.grading, curve.name, {curve_words(request), sizes_of(request.sizes), limit, request.particles}
+    );
     const CutVerdicts verdicts = judge_cut(soil.measured, soil.grading, soil.finer_than);
     const WrittenCase written = write_own_case(curve, soil.name, own_case_text(soil, conditions), console);
     const plan::RunPlan& plan = written.plan;

@@ -93,7 +93,7 @@ std::string millimeters(double length) {
 
 OwnStack model_own_stack(
     const grains::Grading& base, const std::string& base_name, const grains::Grading& filter,
-    const std::string& filter_name
+    const std::string& filter_name, const std::string& words
 ) {
     OwnStack stack;
     stack.base = soil_name(base_name);
@@ -122,10 +122,9 @@ OwnStack model_own_stack(
     if (count > most_stack_grains) {
         throw CaseError(fmt::format(
             "--filter: the thinnest layer of {} on this filter has about {:.2g} grains, more than {:.0f}: give a base "
-            "without its finest sizes, or a filter without its coarsest; suffuse assess {} --filter judges the curves "
-            "as "
-            "they are",
-            stack.base, count, most_stack_grains, stack.base
+            "without its finest sizes, or a filter without its coarsest; suffuse assess {} judges the curves as they "
+            "are",
+            stack.base, count, most_stack_grains, words
         ));
     }
     stack.base_grains = draw(stack.base, stack.base_curve, solid);

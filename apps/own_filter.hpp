@@ -20,11 +20,12 @@ struct OwnStack {
 
 /// The smallest stack that has three of the largest grains across and in each layer, and a base of half a filter grain.
 /// @param base and filter as measured: ends that were not measured are closed where the curves end
+/// @param words of a command that reads both: "base.csv --filter filter.csv"
 /// @throws CaseError for a filter that is finer than its base, curves that so few grains cannot follow, and bases of
 /// too many grains; each says what to do
 OwnStack model_own_stack(
     const grains::Grading& base, const std::string& base_name, const grains::Grading& filter,
-    const std::string& filter_name
+    const std::string& filter_name, const std::string& words
 );
 
 std::string own_case_text(const OwnStack& stack, const OwnConditions& conditions);

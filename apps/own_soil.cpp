@@ -2,7 +2,6 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
-#include "suffuse/base/shell_word.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/modeled_part.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/cut_verdicts.hpp"
+#include "apps/own_surrogate.hpp"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -49,7 +49,7 @@ FinesLimit find_limit(const Grading& measured, std::optional<double> typed_limit
     spec.finer_than = typed_limit;
     const Grading sharp = stability::complete_ends(measured).front();
     auto fines = stability::assess_measured(measured, spec).fines;
-    fines = fines ? fines : stability::find_fine_fraction(sharp, std::nullopt);
+    fines = fines ? fines : stability::find_fine_fraction(sharp, stability::find_gap(measured), std::nullopt);
     if (fines) {
         return {fines->finer_than, reason_of(fines->basis)};
     }
@@ -58,8 +58,8 @@ FinesLimit find_limit(const Grading& measured, std::optional<double> typed_limit
     return {
         least.at.diameter,
         fmt::format(
-            "the curve has no gap and is stable by Kenney and Lau 1986; here it is nearest to unstable, H/F = {:.2g}",
-            least.value
+            "{} has no gap and is stable by Kenney and Lau 1986; here it is nearest to unstable, H/F = {:.2g}",
+            stability::is_open(measured) ? "with sharp ends the curve" : "the curve", least.value
         )};
 }
 
@@ -82,6 +82,27 @@ std::string left_out_of(const Grading& measured, double finest, double coarsest)
         text += fmt::format("{}the {:.3g} % coarser than {}", text.empty() ? "" : " and ", 100 * coarse, mm(coarsest));
     }
     return text;
+}
+
+/// @throws CaseError where the split is at an end of what was measured: what lies beyond cannot be modeled.
+void check_both_parts(const Grading& measured, const Grading& whole, const OwnSoil& soil, const std::string& path) {
+    const double below = grains::passing(whole, soil.finer_than);
+    if (below > 0 && below < 1) {
+        return;
+    }
+    const bool has_fines = below > 0;
+    const std::size_t end = has_fines ? measured.passing.size() - 1 : 0;
+    throw CaseError(
+        fmt::format(
+            "{}: the {} would all be {} than {}, where the measured curve {} at {:.3g} %: {}\n  = measure the {} part "
+            "of "
+            "the curve, or say with --fines D below which size grains are fines, from {} to {}",
+            path, has_fines ? "coarse grains" : "fines", has_fines ? "coarser" : "finer", mm(soil.finer_than),
+            has_fines ? "ends" : "begins", 100 * measured.passing[end], soil.reason, has_fines ? "coarser" : "finer",
+            mm(whole.diameter.front()), mm(whole.diameter.back())
+        ),
+        path
+    );
 }
 
 /// The ends of the measured curve, or those requested within them.
@@ -125,14 +146,17 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         needed > out_of_reach ? fmt::format(
                                     "\n  = no computer holds so many: a run can model a part of this soil only, and "
                                     "its answer is of that part\n  = only suffuse assess {} can judge the whole curve",
-                                    shell_word(path)
+                                    spec.words
                                 )
                               : "";
-    const std::string stand_in = fmt::format(
-        "\n  = help: or simulate a surrogate, two fractions with this soil's size ratio and fines content: suffuse new "
-        "--psd {} --surrogate",
-        shell_word(path)
-    );
+    const std::string stand_in =
+        is_surrogate_in_reach(soil.measured, spec.finer_than, static_cast<double>(most))
+            ? fmt::format(
+                  "\n  = help: or simulate a surrogate, two fractions with this soil's size ratio and fines content: "
+                  "suffuse new --psd {}{} --surrogate",
+                  spec.words, spec.finer_than ? fmt::format(" --fines {:g}mm", 1e3 * *spec.finer_than) : ""
+              )
+            : "";
     const auto gap = stability::find_gap(soil.measured); // what lies in it is no skeleton
     const auto part = grains::find_modeled_part(
         grading, {soil.finer_than, gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than},
@@ -142,7 +166,7 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         throw CaseError(fmt::format(
             "{}{}\n  = cutting its ends does not help: the fines are too small compared with the coarse grains\n  = to "
             "apply the stability criteria: suffuse assess {}{}",
-            found, described, shell_word(path), stand_in
+            found, described, spec.words, stand_in
         ));
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
@@ -181,6 +205,7 @@ OwnSoil model_own_soil(const Grading& measured, const std::string& path, const O
     soil.name = soil_name(path);
     soil.finer_than = spec.finer_than ? *spec.finer_than : rounded(whole, limit.finer_than);
     soil.reason = limit.reason;
+    check_both_parts(measured, whole, soil, path);
     const auto [finest, coarsest] = modeled_sizes(whole, spec.sizes, soil.finer_than);
     soil.grading = grains::part_between(whole, finest, coarsest);
     soil.fines_content = grains::passing(soil.grading, soil.finer_than);

@@ -33,6 +33,7 @@ using SizeRange = std::pair<double, double>;
 
 /// What the user decides of it.
 struct OwnSoilSpec {
+    std::string words;                          ///< of a command that reads the curve: "table.csv --sample TP1"
     std::optional<SizeRange> sizes = {};        ///< the whole curve unless given
     std::optional<double> finer_than = {};      ///< found on the curve unless given [m]
     std::optional<std::int64_t> particles = {}; ///< of the quick preset; as few as will do unless given

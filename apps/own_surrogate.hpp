@@ -24,10 +24,14 @@ struct OwnSurrogate {
 
 /// @param finer_than where the curve is split [m]; found on it unless given
 /// @param most grains of a sample
+/// @param words of a command that reads the curve: "table.csv --sample TP1"
 /// @throws CaseError where no split of the curve is unstable, or the curve does not show both parts.
 OwnSurrogate model_surrogate(
-    const grains::Grading& measured, const std::string& path, std::optional<double> finer_than, double most
+    const grains::Grading& measured, const std::string& path, std::optional<double> finer_than, double most,
+    const std::string& words
 );
+
+bool is_surrogate_in_reach(const grains::Grading& measured, std::optional<double> finer_than, double most);
 
 /// The case: which gradients move the fines.
 std::string own_case_text(const OwnSurrogate& own, const OwnConditions& conditions);

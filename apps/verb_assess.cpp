@@ -7,7 +7,6 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
-#include "suffuse/grains/modeled_part.hpp"
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/job/assessed_soil.hpp"
@@ -21,7 +20,9 @@
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
+#include "apps/own_filter.hpp"
 #include "apps/own_soil.hpp"
+#include "apps/own_surrogate.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/stability_pages.hpp"
 #include "apps/typed_value.hpp"
@@ -43,6 +44,27 @@ using nlohmann::json;
 
 bool is_folder(const std::string& file) {
     return fs::is_directory(file);
+}
+
+/// How `suffuse new` can model a curve. None: it says why, and which part it can.
+enum class Modeling { Whole, Surrogate, None };
+
+Modeling modeling_of(const grains::Grading& measured, const std::optional<double>& finer_than) {
+    try {
+        model_own_soil(measured, "", {{}, {}, finer_than});
+        return Modeling::Whole;
+    } catch (const CaseError&) {
+        return is_surrogate_in_reach(measured, finer_than, most_quick_grains) ? Modeling::Surrogate : Modeling::None;
+    }
+}
+
+bool is_stack_in_reach(const grains::Grading& base, const grains::Grading& filter) {
+    try {
+        model_own_stack(base, "base", filter, "filter", "");
+        return true;
+    } catch (const CaseError&) {
+        return false;
+    }
 }
 
 struct AssessVerb final : Verb {
@@ -118,23 +140,24 @@ struct AssessVerb final : Verb {
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 
     /// What to type then.
-    [[nodiscard]] std::string next_step(const std::vector<job::AssessedSoil>& soils) const {
+    [[nodiscard]] std::string
+    next_step(const std::vector<job::AssessedSoil>& soils, const stability::AssessSpec& spec) const {
         if (soils.size() > 1) {
             return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
                                   : "suffuse assess FILE shows one of them in full";
         }
         const bool has_case = files.front().ends_with(".toml") || is_folder(files.front());
-        const stability::Assessment& found = soils.front().assessment;
-        const bool is_too_wide =
-            !has_case && found.fines &&
-            grains::representative_count(found.grading, found.fines->finer_than) > most_quick_grains;
+        const Modeling modeling = has_case ? Modeling::Whole : modeling_of(soils.front().measured, spec.finer_than);
+        constexpr const char* advice[] = {
+            "to find how many grains are free to move, simulate",
+            "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines",
+            "neither this soil nor a surrogate of it can be simulated as it was measured; what to do says"};
         return fmt::format(
-            "{}: suffuse {} {}{}{}{}",
-            is_too_wide ? "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines"
-                        : "to find how many grains are free to move, simulate",
-            has_case ? "run" : "new --psd", shell_word(case_of_run(files.front())),
-            sample.empty() ? "" : " --sample " + shell_word(sample),
-            reading.is_empty() ? "" : " " + gradings::command_words(reading), is_too_wide ? " --surrogate" : ""
+            "{}: suffuse {} {}{}{}{}{}", advice[static_cast<std::size_t>(modeling)], has_case ? "run" : "new --psd",
+            shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample),
+            reading.is_empty() ? "" : " " + gradings::command_words(reading),
+            has_case || fines.empty() ? "" : " --fines " + shell_word(fines),
+            modeling == Modeling::Surrogate ? " --surrogate" : ""
         );
     }
 };
@@ -252,7 +275,8 @@ void add_filter(const AssessVerb& verb, const Console& console, std::vector<job:
     for (job::AssessedSoil& soil : soils) {
         const grains::Grading& measured = filter.grading;
         soil.filter = {
-            name, stability::check_filter(soil.measured, measured), job::consult_filter_atlas(soil.measured, measured)};
+            name, stability::check_filter(soil.measured, measured), job::consult_filter_atlas(soil.measured, measured),
+            measured};
     }
 }
 
@@ -365,7 +389,8 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (!filter.empty()) {
         add_filter(*this, console, soils);
     }
-    if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml") {
+    if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml" &&
+        is_stack_in_reach(soils.front().measured, soils.front().filter->measured)) {
         console.talk(fmt::format(
             "how far the base gets into this filter, simulated: suffuse new {}{} --filter {}{}",
             shell_word(files.front()), sample.empty() ? "" : " --sample " + shell_word(sample), shell_word(filter),
@@ -408,7 +433,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         }
     }
     console.result(text);
-    console.talk(next_step(soils));
+    console.talk(next_step(soils, spec));
     console.document(json_text(document));
     return Done;
 }

@@ -311,6 +311,54 @@ TEST_F(NewSoil, OfASoilThatNoSplitMakesUnstableThereIsNoSurrogate) {
     EXPECT_EQ(run_suffuse({"new", "well.csv", "--surrogate", "--fines", "0.2mm"}).code, 0) << "where one is requested";
 }
 
+TEST_F(NewSoil, AFinesLimitBelowWhatWasMeasuredIsNamed) {
+    for (const char* curve :
+         {"0.075,35\n0.3,60\n1,80\n4,95\n10,100\n", "0.075,60\n0.425,80\n2,95\n4.75,100\n",
+          "0.075,90\n0.425,96\n2,99\n4.75,100\n", "1,40\n2,90\n4,100\n"}) {
+        write_to(folder / "open.csv", std::string("d [mm],passing [%]\n") + curve);
+        const ProgramResult refused = run_suffuse({"new", "q", "--psd", "open.csv"});
+        EXPECT_EQ(refused.code, 3) << curve;
+        expect_in("where the measured curve begins at", refused.error);
+        expect_in("--fines D", refused.error);
+        expect_in("what to do says: suffuse new --psd open.csv", run_suffuse({"assess", "open.csv"}).error);
+    }
+    write_to(folder / "open.csv", "d [mm],passing [%]\n1,40\n2,90\n4,100\n");
+    EXPECT_EQ(run_suffuse({"new", "q", "--psd", "open.csv", "--fines", "1.5mm"}).code, 0);
+}
+
+TEST_F(NewSoil, ASurrogateHasRatiosWithoutRepetitionAndLeavesNothingBehindIfThereIsNone) {
+    write_to(folder / "y.csv", "d [mm],passing [%]\n0.01,0\n0.075,35\n0.3,60\n1,80\n4,95\n10,100\n");
+    EXPECT_EQ(run_suffuse({"new", "f", "--psd", "y.csv", "--surrogate"}).code, 3) << "95 % of fines have no skeleton";
+    EXPECT_FALSE(std::filesystem::exists(folder / "f"));
+    const ProgramResult made = run_suffuse({"new", "f", "--psd", "y.csv", "--surrogate", "--fines", "4mm", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    EXPECT_EQ(made.json().at("size_ratios"), (std::vector<double>{1.5, 2}));
+    const ProgramResult none =
+        run_suffuse({"new", "g", "--psd", "y.csv", "--surrogate", "--fines", "4mm", "--particles", "5000"});
+    EXPECT_EQ(none.code, 3);
+    expect_in("nothing can be extrapolated", none.error);
+    EXPECT_FALSE(std::filesystem::exists(folder / "g"));
+    EXPECT_EQ(run_suffuse({"new", "h", "--psd", "y.csv"}).error.find("--surrogate"), std::string::npos);
+}
+
+TEST_F(NewSoil, SuggestsCommandsThatNameTheSampleAndTheFilter) {
+    write_to(folder / "two.csv", "d [mm],TP1,TP2\n0.002,0,0\n0.063,12,12\n0.3,20,20\n2,40,40\n20,75,70\n100,100,100\n");
+    expect_in(
+        "suffuse assess two.csv --sample TP1", run_suffuse({"new", "n", "--psd", "two.csv", "--sample", "TP1"}).error
+    );
+    write_to(folder / "silt.csv", "d [mm],passing [%]\n0.01,0\n0.02,100\n");
+    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,100\n");
+    expect_in(
+        "suffuse assess silt.csv --filter drain.csv",
+        run_suffuse({"new", "s", "--psd", "silt.csv", "--filter", "drain.csv"}).error
+    );
+    EXPECT_EQ(
+        run_suffuse({"assess", "silt.csv", "--filter", "drain.csv"}).error.find("suffuse new silt.csv --filter"),
+        std::string::npos
+    );
+    expect_in("write 2.65g/cm^3", run_suffuse({"assess", "silt.csv", "-i", "0.3", "--density", "2.65"}).error);
+}
+
 TEST_F(NewSoil, WrongUseSaysWhatToWrite) {
     const ProgramResult neither = run_suffuse({"new", "dyke"});
     EXPECT_EQ(neither.code, 2);

@@ -18,6 +18,7 @@ struct AssessedFilter {
     std::string name; ///< the file
     stability::FilterCheck check;
     FilterAtlasAnswer simulated = {};
+    grains::Grading measured = {}; ///< as given
 };
 
 struct AssessedSoil {

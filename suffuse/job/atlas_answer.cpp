@@ -49,7 +49,7 @@ void split_soil(const grains::Grading& measured, const std::optional<double>& fi
     const auto split =
         finer_than ? stability::UnstableSplit{*finer_than, "as specified"} : stability::find_unstable_split(measured);
     if (!split) {
-        answer.no_parts = "no split of this curve is unstable: " + stability::stable_everywhere_text(measured);
+        answer.no_parts = stability::no_split_text(measured);
         return;
     }
     const auto ratio = grains::size_ratio(measured, split->finer_than);

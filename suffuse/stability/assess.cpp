@@ -80,7 +80,7 @@ Assessment assess(const Grading& grading, const AssessSpec& spec) {
     Assessment assessment;
     assessment.grading = grading;
     assessment.gap = find_gap(grading);
-    assessment.fines = find_fine_fraction(grading, spec.finer_than);
+    assessment.fines = find_fine_fraction(grading, assessment.gap, spec.finer_than);
     const std::optional<FineFraction>& fines = assessment.fines;
     assessment.finer_limit = finer_limit(uniformity_of(grading, spec.fabric, fines));
     const double limit = assessment.finer_limit;

@@ -15,10 +15,17 @@ namespace {
 constexpr double flat = 0.10;       // of the mass per tenfold size: flatter is a gap
 constexpr double least_ratio = 1.5; // a narrower flat is no gap
 constexpr double populated = 0.05;  // mass on either side of a gap
+constexpr double taper = 2;         // tenfold sizes that grains below the finest measured size may have: open_curve.cpp
 
 bool is_flat(const Grading& grading, std::size_t k) {
     const double rise = grading.passing[k + 1] - grading.passing[k];
     return rise < flat * std::log10(grading.diameter[k + 1] / grading.diameter[k]);
+}
+
+/// A gap has a steeper part below it. What was not measured is steeper if it is so even where it tapers off; else the
+/// flat part may be the tail of the curve.
+bool is_steeper_below(const Grading& grading, std::size_t first) {
+    return first > 0 || grading.passing.front() > flat * taper;
 }
 
 /// Mass over diameter, summed over the segment k up to `diameter`: its surface area but for a factor [1/m].
@@ -68,8 +75,8 @@ std::optional<Gap> find_gap(const Grading& grading) {
             ++end;
         }
         const Gap gap{grading.diameter[first], grading.diameter[end], grading.passing[first]};
-        const bool counts = gap.coarse_end / gap.fine_end >= least_ratio && gap.finer >= populated &&
-                            grading.passing[end] <= 1 - populated;
+        const bool counts = is_steeper_below(grading, first) && gap.coarse_end / gap.fine_end >= least_ratio &&
+                            gap.finer >= populated && grading.passing[end] <= 1 - populated;
         if (counts && (!found || gap.coarse_end / gap.fine_end > found->coarse_end / found->fine_end)) {
             found = gap;
         }

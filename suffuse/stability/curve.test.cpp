@@ -35,6 +35,15 @@ TEST(Gap, IsFlatterThanATenthOfTheMassPerTenfoldSize) {
     EXPECT_FALSE(find_gap(with_step(4, 0.3, 0.101 * tenfolds)));
 }
 
+TEST(Gap, IsNotTheTailOfACurveThatBeginsAboveZero) {
+    const auto begun_at = [](double passing) {
+        return grains::Grading{{1e-6, 10e-6, 0.1e-3, 1e-3}, {passing, passing + 0.09, 0.6, 1}, ""};
+    };
+    EXPECT_FALSE(find_gap(begun_at(0.05))); // what is missing may taper off as flatly
+    EXPECT_TRUE(find_gap(begun_at(0.21)));  // over two tenfold sizes it is steeper than 10 %
+    EXPECT_TRUE(find_gap({{1e-6, 2e-6, 20e-6, 0.1e-3, 1e-3}, {.05, .10, .19, .6, 1}, ""})); // steeper where measured
+}
+
 TEST(Gap, IsTheWidestOfSeveral) {
     const std::optional<Gap> found = find_gap({{1, 2, 4, 8, 24, 48}, {0, 0.3, 0.3, 0.6, 0.6, 1}, ""});
     ASSERT_TRUE(found);

@@ -40,7 +40,7 @@ FilterRatio filter_ratio(const Grading& grading, double split) {
     return {coarse / fine, coarse, fine, grains::passing(grading, split)};
 }
 
-FilterRatio worst_filter_ratio(const Grading& grading) {
+FilterRatio worst_filter_ratio(const Grading& grading, double most_fines) {
     FilterRatio worst;
     const auto look = [&worst](double fine, double coarse, double finer) {
         if (coarse / fine > worst.value) {
@@ -48,7 +48,7 @@ FilterRatio worst_filter_ratio(const Grading& grading) {
         }
     };
     // log D15c - log d85f is linear in the split except where one of the two meets a point of the curve.
-    constexpr double first = least_part * (1 - between), last = (1 - least_part) * (1 - between);
+    const double first = least_part * (1 - between), last = most_fines * (1 - between);
     std::vector<double> below{first, last}; // d85f
     for (const double passing : grading.passing) {
         below.push_back(passing);

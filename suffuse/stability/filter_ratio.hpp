@@ -26,7 +26,8 @@ inline constexpr double least_part = 0.05;
 /// The largest over all splits that leave either part `least_part` of the mass. From d85f to D15c lie always 15 % of
 /// the mass: so this exceeds 4 exactly where the curve is flatter than 15 % of the mass per factor 4 of size somewhere
 /// among them, the form in which [Li and Fannin 2008] give Kezdi's rule.
-FilterRatio worst_filter_ratio(const grains::Grading& grading);
+/// @param most_fines of the mass, finer than a split
+FilterRatio worst_filter_ratio(const grains::Grading& grading, double most_fines = 1 - least_part);
 
 /// Stable where D15c/d85f <= 4 for every split.
 Criterion kezdi(const grains::Grading& grading);

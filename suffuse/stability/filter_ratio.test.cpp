@@ -40,7 +40,7 @@ TEST(FilterRatio, TheWorstSplitOfTwoBoxesLeavesTheGapInTheCoarsePart) {
 TEST(Kezdi, TwoBoxesAreUnstableAndSherardDisagreesAtTheGap) {
     const grains::Grading grading = two_boxes(0.25);
     EXPECT_EQ(kezdi(grading).verdict, Verdict::Unstable);
-    EXPECT_EQ(sherard(grading, find_fine_fraction(grading, std::nullopt)).verdict, Verdict::Stable);
+    EXPECT_EQ(sherard(grading, find_fine_fraction(grading, find_gap(grading), std::nullopt)).verdict, Verdict::Stable);
     EXPECT_FALSE(sherard(grading, std::nullopt).verified);
 }
 

@@ -2,7 +2,6 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/grains/grading.hpp"
-#include "suffuse/stability/curve.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +19,8 @@ const char* basis_text(FinesBasis basis) {
     return "Kenney and Lau's split";
 }
 
-std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> limit) {
+std::optional<FineFraction>
+find_fine_fraction(const grains::Grading& grading, const std::optional<Gap>& gap, std::optional<double> limit) {
     if (limit) {
         const double content = grains::passing(grading, *limit);
         if (!(content > 0 && content < 1)) {
@@ -36,7 +36,7 @@ std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, s
         }
         return FineFraction{*limit, content, FinesBasis::Given};
     }
-    if (const auto gap = find_gap(grading)) {
+    if (gap) {
         return FineFraction{gap->fine_end, gap->finer, FinesBasis::Gap};
     }
     if (const auto split = grains::kenney_lau_split(grading)) {

@@ -2,6 +2,7 @@
 // Which grains of a soil count as its fine fraction: those that could be washed out from between the others.
 
 #include "suffuse/grains/soil.hpp"
+#include "suffuse/stability/curve.hpp"
 
 #include <optional>
 
@@ -21,6 +22,7 @@ struct FineFraction {
 /// As specified [m]; else the fine end of a gap; else where Kenney and Lau would split; nothing for a soil without
 /// either.
 /// @throws CaseError where the specified size has no mass on one side.
-std::optional<FineFraction> find_fine_fraction(const grains::Grading& grading, std::optional<double> limit);
+std::optional<FineFraction>
+find_fine_fraction(const grains::Grading& grading, const std::optional<Gap>& gap, std::optional<double> limit);
 
 } // namespace suffuse::stability

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/grouped.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/kenney_lau.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,8 @@ namespace {
 
 constexpr double sharp = 1e-3; // of a size: as good as a step, and still a curve that rises by more than rounding
 constexpr double fine_reach = 100, coarse_reach = 4; // how much finer, and coarser, the missing grains may be
+constexpr std::size_t most_of_one_end = 4;           // ways in which one open end is completed
+constexpr double judged = 0.20;                      // of the mass: the least F up to which Kenney and Lau look
 constexpr double alike = 1e-3;                       // of a number that two completions share but for the steps' width
 
 std::vector<Grading> complete_fine_end(const Grading& measured) {
@@ -32,9 +35,13 @@ std::vector<Grading> complete_fine_end(const Grading& measured) {
         grading.passing.insert(grading.passing.begin(), passing.begin(), passing.end());
         return grading;
     };
-    return {
+    std::vector<Grading> completed{
         begun_with({size * (1 - sharp)}, {0}), begun_with({finest}, {0}),
         begun_with({finest * (1 - sharp), finest}, {0, missing})};
+    if (missing > judged) { // then the others have no gap where the shape curve is judged
+        completed.push_back(begun_with({finest * (1 - sharp), finest, size * (1 - sharp)}, {0, judged, judged}));
+    }
+    return completed;
 }
 
 std::vector<Grading> complete_coarse_end(const Grading& measured) {
@@ -65,29 +72,19 @@ std::string number_text(double value) {
     return value < 1000 ? fmt::format("{:.3g}", value) : grouped(std::llround(value));
 }
 
-std::string missing_text(const Grading& measured) {
-    std::string text;
-    if (const double fine = measured.passing.front(); fine > 0) {
-        text = fmt::format("the {:.3g} % below {:.3g} mm", 100 * fine, 1e3 * measured.diameter.front());
-    }
-    if (const double coarse = 1 - measured.passing.back(); coarse > 0) {
-        text += fmt::format(
-            "{}the {:.3g} % above {:.3g} mm", text.empty() ? "" : " and ", 100 * coarse, 1e3 * measured.diameter.back()
-        );
-    }
-    return text;
-}
-
 /// "stable where the 4 % below 0.063 mm end sharply or taper off, unstable where they lie beyond a gap": of a curve
 /// with one open end, whose completions are these, in this order.
 std::string verdicts_by_end(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
-    constexpr std::array ends{"end sharply", "taper off", "lie beyond a gap"};
+    constexpr std::array<const char*, most_of_one_end> ends{
+        "end sharply", "taper off", "lie beyond a gap", "lie partly beyond a gap"};
     std::string text;
     for (const Verdict verdict : {Verdict::Stable, Verdict::Transition, Verdict::Unstable, Verdict::CannotSay}) {
         std::string where;
-        for (std::size_t k = 0; k < ends.size(); ++k) {
+        for (std::size_t k = completed.size(), found = 0; k-- > 0;) {
             if (completed[k].criteria[which].verdict == verdict) {
-                where += fmt::format("{}{}", where.empty() ? "" : " or ", ends[k]);
+                const char* const join = found == 0 ? "" : found == 1 ? " or " : ", ";
+                where = fmt::format("{}{}{}", ends[k], join, where);
+                ++found;
             }
         }
         if (!where.empty()) {
@@ -103,7 +100,7 @@ std::string verdicts_by_end(const std::vector<Assessment>& completed, std::size_
 /// What one criterion says of all completions.
 Criterion agree(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
     Criterion criterion = completed.front().criteria[which];
-    bool same_verdict = true, same_value = true;
+    bool same_verdict = true, same_value = true, same_measure = true, same_limit = true;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Assessment& other : completed) {
         if (const auto& value = other.criteria[which].value) {
@@ -111,19 +108,37 @@ Criterion agree(const std::vector<Assessment>& completed, std::size_t which, con
         }
         same_verdict = same_verdict && other.criteria[which].verdict == criterion.verdict;
         same_value = same_value && same(other.criteria[which].value, criterion.value);
+        same_measure = same_measure && other.criteria[which].measure == criterion.measure;
+        same_limit = same_limit && same(other.criteria[which].limit, criterion.limit) &&
+                     same(other.criteria[which].upper, criterion.upper);
     }
     if (same_value && same_verdict) {
         return criterion;
     }
+    const std::optional<double> of_sharp_ends = criterion.value; // they add no size to what was measured
     criterion.value.reset(), criterion.diameter.reset();
-    if (same_verdict && criterion.verdict != Verdict::CannotSay) {
-        criterion.remark = fmt::format("{} to {}, depending on {}", number_text(least), number_text(most), missing);
+    const bool do_agree = same_verdict && criterion.verdict != Verdict::CannotSay;
+    if (!same_measure && (do_agree || criterion.measure != shape_ratio_measure)) { // none that what was measured has
+        criterion.measure = define(criterion.id).measure;
+        criterion.limit.reset();
+    }
+    if (do_agree) {
+        if (!same_limit) {
+            criterion.limit.reset(), criterion.upper.reset();
+        }
+        criterion.remark = !same_measure
+                               ? fmt::format("the measure and its limit depend on {}, the verdict does not", missing)
+                               : fmt::format(
+                                     "{} to {}, depending on {}{}", number_text(least), number_text(most), missing,
+                                     same_limit ? "" : ", as does the limit"
+                                 );
         return criterion;
     }
     criterion.verdict = Verdict::CannotSay;
-    criterion.measured = completed.front().criteria[which].value; // its ends add no size to what was measured
-    criterion.remark = same_verdict || completed.size() != 3 ? "needs " + missing + ", which the curve does not resolve"
-                                                             : verdicts_by_end(completed, which, missing);
+    criterion.measured = same_measure ? of_sharp_ends : std::nullopt;
+    criterion.remark = same_verdict || completed.size() > most_of_one_end
+                           ? "needs " + missing + ", which the curve does not resolve"
+                           : verdicts_by_end(completed, which, missing);
     return criterion;
 }
 
@@ -147,6 +162,19 @@ bool is_open(const Grading& measured) {
     return !measured.passing.empty() && (measured.passing.front() > 0 || measured.passing.back() < 1);
 }
 
+std::string missing_text(const Grading& measured) {
+    std::string text;
+    if (const double fine = measured.passing.front(); fine > 0) {
+        text = fmt::format("the {:.3g} % below {:.3g} mm", 100 * fine, 1e3 * measured.diameter.front());
+    }
+    if (const double coarse = 1 - measured.passing.back(); coarse > 0) {
+        text += fmt::format(
+            "{}the {:.3g} % above {:.3g} mm", text.empty() ? "" : " and ", 100 * coarse, 1e3 * measured.diameter.back()
+        );
+    }
+    return text;
+}
+
 std::vector<Grading> complete_ends(const Grading& measured) {
     std::vector<Grading> completed;
     for (const Grading& begun : complete_fine_end(measured)) {
@@ -166,6 +194,7 @@ Assessment assess_measured(const Grading& measured, const AssessSpec& spec) {
         completed.push_back(assess(grading, spec));
     }
     Assessment found = completed.front();
+    found.gap = find_gap(measured);
     found.missing_fine = measured.passing.front();
     found.missing_coarse = 1 - measured.passing.back();
     const std::string missing = missing_text(measured);

@@ -1,7 +1,7 @@
 #pragma once
 // A grading whose ends were not measured: the finest sieve still passes something, or the coarsest not all. What any
 // criterion says is taken only where it is the same however the missing ends may look: sharply cut, tapering off, or
-// far away beyond a gap.
+// far away beyond a gap, all of it or as much as Kenney and Lau judge.
 
 #include "suffuse/stability/assess.hpp"
 
@@ -11,6 +11,9 @@ namespace suffuse::stability {
 
 /// Whether a curve begins above 0 % or ends below 100 %.
 bool is_open(const grains::Grading& measured);
+
+/// "the 4 % below 0.063 mm and the 2 % above 31.5 mm".
+std::string missing_text(const grains::Grading& measured);
 
 /// The curve with its ends as they might be, the sharp ones first; a closed curve alone.
 std::vector<grains::Grading> complete_ends(const grains::Grading& measured);

@@ -97,6 +97,34 @@ TEST(OpenCurve, NoNumberIsGivenWhereNothingOfItWasMeasured) {
     EXPECT_DOUBLE_EQ(*kenney.diameter, 0.25e-3);
 }
 
+TEST(OpenCurve, IsNotStableWhereNothingOfTheJudgedRangeWasMeasured) {
+    // Its fines may hide a gap from 0.001 to 0.01 mm, and then it is unstable.
+    const Grading sieves{{0.075e-3, 0.425e-3, 2e-3, 4.75e-3}, {.90, .96, .99, 1}, ""};
+    const Grading full{
+        {.0005e-3, .001e-3, .01e-3, .075e-3, .425e-3, 2e-3, 4.75e-3}, {0, .18, .20, .90, .96, .99, 1}, ""};
+    AssessSpec spec;
+    spec.seepage = Seepage{.gradient = 0.9};
+    const Assessment found = assess_measured(sieves, spec), real = assess(full);
+    for (const char* id : {"kenney-lau-1985", "kenney-lau-1986", "li-fannin-2008", "chang-zhang-2013"}) {
+        EXPECT_EQ(one(found, id).verdict, Verdict::CannotSay) << id;
+    }
+    EXPECT_EQ(one(real, "kenney-lau-1985").verdict, Verdict::Unstable);
+    EXPECT_NE(
+        one(found, "kenney-lau-1985").remark.find("unstable where they lie partly beyond a gap"), std::string::npos
+    ) << one(found, "kenney-lau-1985").remark;
+    EXPECT_EQ(found.gradients[1].verdict, Verdict::CannotSay) << "alpha is unknown";
+    EXPECT_EQ(complete_ends({{0.2e-3, 2e-3}, {0.2, 1}, ""}).size(), 3U);
+}
+
+TEST(OpenCurve, MixesNeitherMeasuresNorLimits) {
+    // More than 35 % are finer than 0.063 mm: Chang and Zhang judge H/F, or the ratio of a gap where there is one.
+    const Criterion mixed = one(assess_measured({{0.06e-3, 0.3e-3, 4e-3}, {0.4, 0.7, 1}, ""}), "chang-zhang-2013");
+    EXPECT_EQ(mixed.verdict, Verdict::Stable);
+    EXPECT_EQ(mixed.measure, "");
+    EXPECT_FALSE(mixed.value || mixed.limit);
+    EXPECT_EQ(mixed.remark, "the measure and its limit depend on the 40 % below 0.06 mm, the verdict does not");
+}
+
 TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {
     // Verdicts on the open curve hold for the real one, of which it is a part.
     int reported = 0;

@@ -67,7 +67,8 @@ const Criteria = (() => {
       let end = first;
       while (end < segments && isFlat(end)) ++end;
       const gap = { fine: d[first], coarse: d[end], finer: f[first] };
-      const counts = gap.coarse / gap.fine >= 1.5 && gap.finer >= 0.05 && f[end] <= 0.95;
+      const isSteeperBelow = first > 0 || f[0] > 0.2; // else it may be the tail of the curve
+      const counts = isSteeperBelow && gap.coarse / gap.fine >= 1.5 && gap.finer >= 0.05 && f[end] <= 0.95;
       if (counts && (!found || gap.coarse / gap.fine > found.coarse / found.fine)) found = gap;
       first = end;
     }
@@ -169,12 +170,13 @@ const Criteria = (() => {
     ];
   };
 
-  // Ends that were not measured: cut sharply, tapering off, beyond a gap.
+  // Ends that were not measured: cut sharply, tapering off, beyond a gap, or as much of it as is judged.
   const completions = (g) => {
     const sharp = 1e-3, first = g.d[0], missing = g.f[0], finest = first / 100;
     const begun = (sizes, shares) => ({ d: [...sizes, ...g.d], f: [...shares, ...g.f] });
     const fine = missing <= 0 ? [g]
-      : [begun([first * (1 - sharp)], [0]), begun([finest], [0]), begun([finest * (1 - sharp), finest], [0, missing])];
+      : [begun([first * (1 - sharp)], [0]), begun([finest], [0]), begun([finest * (1 - sharp), finest], [0, missing]),
+        ...(missing > 0.2 ? [begun([finest * (1 - sharp), finest, first * (1 - sharp)], [0, 0.2, 0.2])] : [])];
     return fine.flatMap((b) => {
       const n = b.d.length, last = b.d[n - 1], share = b.f[n - 1], coarsest = 4 * last;
       const ended = (sizes, shares) => ({ d: [...b.d, ...sizes], f: [...b.f, ...shares] });
@@ -187,18 +189,26 @@ const Criteria = (() => {
 
   const assess = (g) => {
     const completed = completions(g), all = completed.map(assessClosed), limit = Math.min(...completed.map(finerLimit));
-    return all[0].map((first, k) => {
-      const others = all.map((list) => list[k]);
+    return all[0].map((sharp, k) => {
+      const others = all.map((list) => list[k]), isOne = (key) => others.every((c) => same(c[key], sharp[key]));
+      const sameMeasure = others.every((c) => c.measure === sharp.measure), sameLimit = isOne("limit") && isOne("upper");
+      const first = { ...sharp };
       const sameVerdict = others.every((c) => c.verdict === first.verdict);
       const sameValue = others.every((c) => same(c.value, first.value));
       if (sameVerdict && sameValue) return first;
+      const doAgree = sameVerdict && first.verdict !== "cannot say";
+      if (!sameMeasure && (doAgree || first.measure !== "(H/F)min")) {
+        first.measure = defined(first.id).measure;
+        first.limit = undefined;
+      }
+      if (doAgree && !sameLimit) first.limit = first.upper = undefined;
       const cap = { "(H/F)min": 1, "min H/min(F, 15 %)": 0.15 }[first.measure];
       const ratio = cap && leastRatio(g, limit, cap); // of what was measured
-      if (sameVerdict && first.verdict !== "cannot say") {
+      if (doAgree) {
         const values = others.map((c) => c.value);
-        return { ...first, value: ratio, measured: ratio, range: [Math.min(...values), Math.max(...values)] };
+        return { ...first, value: ratio, measured: ratio, range: sameMeasure ? [Math.min(...values), Math.max(...values)] : undefined };
       }
-      const measured = cap ? ratio : first.value;
+      const measured = cap ? ratio : sameMeasure ? first.value : undefined;
       return { ...first, value: ratio, measured, verdict: "cannot say", why: "depends on what was not measured" };
     });
   };
