@@ -108,7 +108,7 @@ function drawAtlas() {
   $("atlas-maps").innerHTML = AtlasMap.draw(pageData.atlas, place);
   $("atlas-note").textContent = "Each cell is a simulated soil: the gradient of upward flow that moves 1 % of its fines, over that of heave. " +
     (place ? `The ring is ${here().isEdited ? "the curve as given" : "this soil"}: D50/d50 ${three(place.ratio)}, ${three(100 * place.fines)} % of fines${place.inside ? "" : ", outside the atlas"}.`
-      : "This soil has no place among them: no split of its curve is unstable, or its flow is downward.");
+      : "This soil has no place among them: no unstable split of the measured curve was found, or its flow is downward.");
 }
 
 function drawMatrix() {
