@@ -210,7 +210,7 @@ TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
 
 TEST_F(Assess, TakesAFilterOutOfATableOfSeveralSamples) {
     write_to(
-        folder / "all.csv", "d [mm],base,drain,coarse\n0.1,0,0,0\n1,100,0,0\n2,100,0,0\n8,100,100,40\n32,100,100,100\n"
+        folder / "all.csv", "d [mm],base,drain,coarse\n0.5,0,0,0\n1,100,0,0\n2,100,0,0\n4,100,100,40\n32,100,100,100\n"
     );
     EXPECT_EQ(call("dyke.csv --filter all.csv"), 3);
     expect_in("choose it by --filter-sample NAME", error);
