@@ -26,7 +26,7 @@ constexpr std::string_view stack_case_form =
 # site: the `pressure` on the soils and the `gradients` of the water in the base.
 # What a key means: suffuse explain KEY.
 schema = 1
-title  = "{base} and its filter {filter}"
+title  = "{base} on {filter}"
 seed   = 1
 preset = "quick"                      # quick: short holds | standard: as written below; --preset NAME picks one
 
@@ -106,9 +106,8 @@ OwnStack model_own_stack(
     const double fine = grains::size_at(stack.base_curve, 0.5), coarse = grains::size_at(stack.filter_curve, 0.5);
     if (coarse <= fine) {
         throw CaseError(fmt::format(
-            "--filter: {} (D50 = {}) is finer than its base {} (D50 = {}) and holds all of it; exchange the two files "
-            "if "
-            "the flow goes the other way",
+            "--filter: {} (D50 = {}) is not coarser than its base {} (D50 = {}) and holds all of it; exchange the two "
+            "files if the flow goes the other way",
             stack.filter, millimeters(coarse), stack.base, millimeters(fine)
         ));
     }
@@ -141,7 +140,8 @@ std::string own_case_text(const OwnStack& stack, const OwnConditions& conditions
     return fmt::format(
         stack_case_form, fmt::arg("base", stack.base), fmt::arg("filter", stack.filter),
         fmt::arg("material", material_text(grains::size_at(stack.filter_curve, 1) / finest, pressure)),
-        fmt::arg("way", stability::kind_of(way)), fmt::arg("down", fmt::format("[{:.4f}, 0, {:.4f}]", -ahead, -rise)),
+        fmt::arg("way", stability::kind_of(way)),
+        fmt::arg("down", fmt::format("[{:.4f}, 0, {:.4f}]", 0 - ahead, 0 - rise)),
         fmt::arg("tolerance", 100 * stack_tolerance), fmt::arg("base_grains", stack.base_grains),
         fmt::arg("filter_grains", stack.filter_grains), fmt::arg("base_thickness", 1e3 * stack.base_thickness),
         fmt::arg("filter_thickness", 1e3 * stack.filter_thickness), fmt::arg("width", 1e3 * stack.width),

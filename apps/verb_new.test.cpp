@@ -75,7 +75,7 @@ TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
     expect_in("fine-and-drain/case.toml", both.out);
     const ProgramResult swapped = run_suffuse({"new", "x", "--psd", "drain.csv", "--filter", "base.csv"});
     EXPECT_EQ(swapped.code, 3);
-    expect_in("finer than its base", swapped.error);
+    expect_in("not coarser than its base", swapped.error);
     write_to(folder / "silt.csv", "d [mm],passing [%]\n0.01,0\n0.02,100\n");
     const ProgramResult fine = run_suffuse({"new", "y", "--psd", "silt.csv", "--filter", "drain.csv"});
     EXPECT_EQ(fine.code, 3);

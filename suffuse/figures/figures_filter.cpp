@@ -85,24 +85,31 @@ Figure begin_figure(const char* id, const char* title) {
 // Lengths of the drawing, in its own pixels.
 constexpr double cut_width = 260, cut_gap = 40, cut_left = 16, cut_head = 46;
 
-/// One state of a stack, as it is cut. @param x, y where it begins
+/// One state of a stack, as it is cut: grains that reach over a side come in again at the other one. @param x, y where
+/// it begins
 std::string draw_cut(const StackCut& cut, double first, double x, double y, double scale, double height) {
     std::string out = fmt::format(
-        R"(<g><rect class="flow-box" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="none" stroke="#8a8577"/>)"
+        R"(<g><rect class="flow-box" x="{0:.1f}" y="{1:.1f}" width="{2:.1f}" height="{3:.1f}" fill="none" stroke="#8a8577"/>)"
+        R"(<svg x="{0:.1f}" y="{1:.1f}" width="{2:.1f}" height="{3:.1f}">)"
         "\n",
         x, y, cut_width, height
     );
     for (std::size_t k = 0; k < cut.radius.size(); ++k) {
-        out += fmt::format(
-            R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)"
-            "\n",
-            x + cut.across[k] * scale, y + (cut.along[k] - first) * scale, cut.radius[k] * scale,
-            cut.is_base[k] != 0 ? color::fines : color::coarse
-        );
+        const double radius = cut.radius[k] * scale;
+        for (const int image : {-1, 0, 1}) {
+            const double across = (cut.across[k] + image * cut.width) * scale;
+            if (across + radius > 0 && across - radius < cut_width) {
+                out += fmt::format(
+                    R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" fill="{}"/>)"
+                    "\n",
+                    across, (cut.along[k] - first) * scale, radius, cut.is_base[k] != 0 ? color::fines : color::coarse
+                );
+            }
+        }
     }
     const double interface = y - first * scale;
     return out + fmt::format(
-                     R"(<path d="M{0:.1f} {1:.1f}H{2:.1f}" stroke="{3}" stroke-dasharray="5 4" fill="none"/></g>)"
+                     R"(</svg><path d="M{0:.1f} {1:.1f}H{2:.1f}" stroke="{3}" stroke-dasharray="5 4" fill="none"/></g>)"
                      "\n",
                      x, interface, x + cut_width, color::staying
                  );

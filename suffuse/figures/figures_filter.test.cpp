@@ -54,10 +54,13 @@ TEST(FilterFigures, DrawACircleForEachGrainThatIsCutInItsPlaceAndSize) {
     }
     EXPECT_EQ(circles, 3U);
     // 260 pixels are 2 mm; the first begins 16 pixels from the left and 46 from the top, 1.5 mm before the filter.
-    EXPECT_NE(figure->drawing.find(R"(<circle cx="146.0" cy="176.0" r="13.0" fill="#c8322b"/>)"), std::string::npos)
-        << figure->drawing;
-    EXPECT_NE(figure->drawing.find(R"(<circle cx="81.0" cy="371.0" r="52.0" fill="#b5852f"/>)"), std::string::npos);
+    EXPECT_NE(figure->drawing.find(R"(<svg x="16.0" y="46.0")"), std::string::npos) << figure->drawing;
+    EXPECT_NE(figure->drawing.find(R"(<circle cx="130.0" cy="130.0" r="13.0" fill="#c8322b"/>)"), std::string::npos);
+    EXPECT_NE(figure->drawing.find(R"(<circle cx="65.0" cy="325.0" r="52.0" fill="#b5852f"/>)"), std::string::npos);
     EXPECT_NE(figure->drawing.find(R"(M16.0 241.0H276.0)"), std::string::npos) << "the interface";
+    MigrationCurve wide = stack("s");
+    wide.result.filter.after.across.front() = 0.1e-3; // it reaches over the side
+    EXPECT_NE(filter_cut({wide})->drawing.find(R"(<circle cx="273.0" cy="325.0" r="52.0")"), std::string::npos);
 }
 
 TEST(FilterFigures, HaveTheShareOfEachSizeAndTheControllingConstriction) {
