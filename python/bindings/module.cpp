@@ -23,9 +23,11 @@ PYBIND11_MODULE(_core, m) {
     m.def(
         "set_threads",
         [](int threads) {
-            if (threads < 0) {
+            constexpr int most = 1024; // as of the command line
+            if (threads < 0 || threads > most) {
                 throw CaseError(
-                    "threads: found " + std::to_string(threads) + ", expected 1 or more, or 0: one for each core"
+                    "threads: found " + std::to_string(threads) + ", expected 1 to " + std::to_string(most) +
+                    ", or 0: one for each core"
                 );
             }
             const python::Released released;

@@ -15,6 +15,14 @@
 namespace suffuse::python {
 
 Packing packing_of(const py::object& first, const py::object& position, const py::object& radius) {
+    const bool is_packing =
+        py::isinstance<WorldHandle>(first) || py::isinstance<PackedNetwork>(first) || py::hasattr(first, "world");
+    if (is_packing && !(position.is_none() && radius.is_none())) {
+        throw CaseError(
+            "position, radius: the packing that comes first has its own; leave them out, and name what follows, as in "
+            "gradient=0.3"
+        );
+    }
     if (py::isinstance<WorldHandle>(first)) {
         const dem::World& world = first.cast<const WorldHandle&>().world();
         return {world.cell.h, world.grains.position, world.grains.radius, world.grains.fine};

@@ -49,9 +49,13 @@ def clones(settled_once):
     return world
 
 
-def test_fewer_than_no_threads_are_refused():
+def test_fewer_than_no_threads_are_refused_and_so_are_more_than_any_machine_has():
     with pytest.raises(suffuse.CaseError, match="threads: found -1"):
         suffuse.set_threads(-1)
+    before = suffuse.threads()
+    with pytest.raises(suffuse.CaseError, match="expected 1 to 1024"):
+        suffuse.set_threads(10**9)
+    assert suffuse.threads() == before
 
 
 def test_a_world_is_read_while_another_one_steps(clones, two_threads):

@@ -125,6 +125,15 @@ def test_bad_geometry_and_bad_words_are_errors(packing):
         suffuse.PoreNetwork((1, 1, 1))
 
 
+def test_a_world_has_its_own_positions():
+    cell, position, radius = small()
+    world = suffuse.World([1, 1, 1], position, radius)
+    for call in (suffuse.seep, suffuse.PoreNetwork, suffuse.constrictions):
+        with pytest.raises(suffuse.CaseError, match="leave them out"):
+            call(world, 0.3, "-y")
+    assert suffuse.seep(world, gradient=0.3).permeability > 0
+
+
 def small():
     return numpy.eye(3), [(0.1, 0.2, 0.3), (0.6, 0.7, 0.8)], [0.42, 0.1]
 

@@ -63,6 +63,15 @@ std::vector<Sweep> rows_in_file(Reader& v, const Node& node) {
             continue;
         }
         if (rows.empty()) {
+            const auto twice =
+                std::ranges::find_if(cells, [&](const std::string& key) { return std::ranges::count(cells, key) > 1; });
+            if (twice != cells.end()) {
+                v.error(
+                    "E205", node.place, fmt::format("{}:{} has the heading `{}` twice", path, number, *twice),
+                    "one column for each key: two values of one key are two rows"
+                );
+                return {};
+            }
             std::ranges::transform(cells, std::back_inserter(rows), [](const std::string& key) {
                 return Sweep{key, {}};
             });

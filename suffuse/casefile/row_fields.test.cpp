@@ -74,6 +74,9 @@ TEST(RowsOfAStudy, MayStandInAFile) {
     std::ofstream(folder / "twenty.csv") << "contact.friction,seed\n20 deg,4\n30 deg\n";
     const std::string problem = first_problem(with_rows("rows = \"twenty.csv\""), folder.path().string());
     EXPECT_NE(problem.find("twenty.csv:3 has not a value for each heading"), std::string::npos) << problem;
+    std::ofstream(folder / "twenty.csv") << "seed,contact.friction,seed\n4,20 deg,5\n";
+    const std::string twice = first_problem(with_rows("rows = \"twenty.csv\""), folder.path().string());
+    EXPECT_NE(twice.find("twenty.csv:1 has the heading `seed` twice"), std::string::npos) << twice;
 }
 
 TEST(RowsOfAStudy, AreRefusedWhereTheyDoNotFit) {
