@@ -213,11 +213,13 @@ std::vector<Key> migrate_rows() {
         quantity(
             stage, "feed", dimension::density, above_zero,
             "Mass of fines that each volume of water brings to the face where it enters the cell. Their sizes are "
-            "those "
-            "of the sample's fines. Nothing unless said."
+            "those of the sample's fines. Nothing unless said."
         ),
         quantity(stage, "time_at_most", dimension::time, above_zero, "Of all holds together; no limit unless said."),
-        count(stage, "steps_at_most", from_one, "Time steps of the stage; no limit unless said."),
+        count(
+            stage, "steps_at_most", from_one,
+            "Time steps, those before the flow counted: at the limit the hold ends. No limit unless said."
+        ),
     };
 }
 

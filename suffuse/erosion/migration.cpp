@@ -2,6 +2,7 @@
 
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/quantile.hpp"
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/base_profile.hpp"
 #include "suffuse/erosion/filter_view.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::erosion {
 namespace {
@@ -109,23 +111,44 @@ double load_over_weight(
     return std::max(1.0, quantile(std::move(ratio), load_quantile));
 }
 
+/// Whether motion was last looked at so long ago that it differs from rest.
+bool can_look(const Migration& migration, const MigrateSpec& spec) {
+    return migration.time >= (migration.looked + spec.still_for) * nearly_whole;
+}
+
 /// Of the fines' mass, what went further than a rest allows since motion was last looked at; from now on that is now.
-double look_at_motion(Migration& migration) {
+double look_at_motion(Migration& migration, const MigrateSpec& spec) {
     MigrationLedger& ledger = migration.ledger;
+    const double part = can_look(migration, spec) ? 1 : (migration.time - migration.looked) / spec.still_for;
     double moving = 0;
     for (std::size_t k = 0; k < ledger.size(); ++k) {
         const bool is_there = ledger.where[k] != Whereabouts::Eroded;
-        moving += is_there && norm(ledger.end[k] - ledger.before[k]) > moves * ledger.diameter[k] ? ledger.mass[k] : 0;
+        const double travel = norm(ledger.end[k] - ledger.before[k]);
+        moving += is_there && travel > part * moves * ledger.diameter[k] ? ledger.mass[k] : 0;
         ledger.before[k] = ledger.end[k];
     }
     migration.looked = migration.time;
     return moving / migration.result.fines_mass;
 }
 
+void stop(grains::Grains& grains) {
+    grains.velocity.assign(grains.size(), {});
+    grains.spin.assign(grains.size(), {});
+}
+
 void bring_to_rest(dem::World& world, grains::Motion motion) {
-    for (std::size_t g = 0; g < world.grains.size(); ++g) {
-        world.grains.velocity[g] = world.grains.spin[g] = {};
-        world.grains.motion[g] = motion;
+    stop(world.grains);
+    world.grains.motion.assign(world.grains.size(), motion);
+}
+
+/// On each grain; a step leaves none on grains that are held.
+void sum_contact_forces(dem::World& world) {
+    std::vector<Vec3>& force = world.grains.force;
+    force.assign(world.grains.size(), {});
+    for (const dem::ContactView& contact : dem::inspect_contacts(world)) {
+        const Vec3 on_first = contact.normal_force + contact.shear_force;
+        force[contact.i] += on_first;
+        force[contact.j] -= on_first;
     }
 }
 
@@ -206,6 +229,22 @@ bool is_spent(const Migration& migration, const MigrateSpec& spec) {
            (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
 }
 
+/// Whether its hold ends, whatever moves.
+bool is_cut(const Migration& migration, const MigrateSpec& spec) {
+    return migration.result.holds.back().held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+}
+
+/// Until motion is looked at, or a limit ends the hold [s].
+double longest_leg(const Migration& migration, const MigrateSpec& spec) {
+    double left = migration.looked + spec.still_for - migration.time;
+    for (const double limit :
+         {spec.hold_at_most - migration.result.holds.back().held_for,
+          spec.time_at_most.value_or(std::numeric_limits<double>::infinity()) - migration.time}) {
+        left = limit < left * nearly_whole ? limit : left; // the same to the bit where both are due
+    }
+    return left;
+}
+
 /// Adds to the profile of one soil what its slices are now, in the flow among the grains that stand.
 void note_slices(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
     if (migration.result.sample.slices > 0) {
@@ -220,11 +259,12 @@ void note_slices(Migration& migration, const MigrateSpec& spec, const Surroundin
 /// Looks whether the fines rest. @return whether the hold is over
 bool end_hold(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
     MigrationHold& hold = migration.result.holds.back();
-    hold.moving_mass_share = look_at_motion(migration);
+    const bool can_rest = can_look(migration, spec) || find_present(migration.ledger).empty();
+    hold.moving_mass_share = look_at_motion(migration, spec);
     hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
     hold.porosity = dem::porosity(migration.world);
-    hold.ended = hold.moving_mass_share <= spec.still;
-    const bool is_over = hold.ended || hold.held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+    hold.ended = can_rest && hold.moving_mass_share <= spec.still;
+    const bool is_over = hold.ended || is_cut(migration, spec);
     if (is_over && migration.stack.is_stack()) {
         note_profile(
             migration.ledger, migration.world, migration.stack, spec.direction, migration.result.profile, hold
@@ -320,8 +360,7 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
         return begin_next_hold(migration, spec);
     }
     Leg leg(migration, spec, around);
-    const double left = migration.looked + spec.still_for - migration.time;
-    leg.go(migration.time, left);
+    leg.go(migration.time, longest_leg(migration, spec));
     leg.enter(migration);
     if (spec.feed) {
         migration.fed_mass +=
@@ -329,8 +368,7 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
         migration.result.rows.back().fed_mass = migration.fed_mass;
     }
     const bool none_left = find_present(migration.ledger).empty();
-    const bool is_due = none_left || migration.time >= (migration.looked + spec.still_for) * nearly_whole;
-    if (is_due && end_hold(migration, spec, around)) {
+    if ((none_left || can_look(migration, spec) || is_cut(migration, spec)) && end_hold(migration, spec, around)) {
         migration.settles = spec.skeleton == Skeleton::Moves;
         if (!migration.settles) {
             begin_next_hold(migration, spec);
@@ -339,12 +377,28 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
 }
 
 dem::World migrated_sample(const Migration& migration, const Pulse& pulse) {
-    constexpr double pushed_apart = 10; // in units of WeightScale::time
-    WeighedCopy weightless(migration.world, migration.scale, std::vector<Vec3>(migration.world.grains.size()));
-    weightless.load({}, 0);
-    weightless.hold(pushed_apart, pulse, "unload");
+    constexpr double burst = 2, longest = 40; // in units of WeightScale::time
+    constexpr double still = 1e-3;            // in a burst [diameters]
+    dem::World smooth = migration.world;
+    smooth.material.friction = 0;
+    stop(smooth.grains);
+    WeighedCopy weightless(std::move(smooth), migration.scale, std::vector<Vec3>(migration.world.grains.size()));
+    double travel = 1;
+    for (double took = 0; travel > still && took < longest; took += burst) {
+        const std::vector<Vec3> before = weightless.positions();
+        weightless.load({}, 0); // all are awake
+        weightless.brake();
+        weightless.hold(burst, pulse, "unload");
+        travel = 0;
+        for (std::size_t p = 0; p < before.size(); ++p) {
+            const double diameter = 2 * weightless.world().grains.radius[weightless.fines()[p]];
+            travel = std::max(travel, norm(weightless.position(p) - before[p]) / diameter);
+        }
+    }
     dem::World sample = weightless.whole();
+    sample.material.friction = migration.world.material.friction;
     bring_to_rest(sample, grains::Motion::Free);
+    sum_contact_forces(sample);
     return sample;
 }
 

@@ -50,8 +50,8 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
 /// the skeleton move. A pulse that throws leaves the migration as it was before the call. @pre it is not over
 void migrate_on(Migration& migration, const MigrateSpec& spec, const Surroundings& around);
 
-/// The sample without the grains that left, as a weightless one: fines are pushed apart until they press nothing, then
-/// nothing moves, and all grains are free again.
+/// The sample without the grains that left, as a weightless one. Fines are pushed apart without friction, for that
+/// would keep what weight and water pressed together; then nothing moves, and all grains are free again.
 dem::World migrated_sample(const Migration& migration, const Pulse& pulse);
 
 } // namespace suffuse::erosion

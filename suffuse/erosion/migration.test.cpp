@@ -5,6 +5,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/random.hpp"
+#include "suffuse/dem/equilibrium.hpp"
+#include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
 #include "suffuse/erosion/extraction.hpp"
 #include "suffuse/erosion/grain_water.hpp"
@@ -237,7 +239,26 @@ TEST(Migration, EndsWithItsBudgetAndSaysSo) {
     EXPECT_FALSE(in_time.result.holds.front().ended);
     spec.time_at_most.reset();
     spec.steps_at_most = 1;
-    EXPECT_NEAR(migrate(cubic_lattice(5), spec).time, spec.still_for, 0.001) << "motion is looked at once";
+    const Migration in_steps = migrate(cubic_lattice(5), spec);
+    EXPECT_GT(in_steps.time, 0);
+    EXPECT_LT(in_steps.time, 0.1 * spec.still_for) << "of one burst";
+    EXPECT_FALSE(in_steps.result.holds.front().ended);
+}
+
+TEST(Migration, EndsAtItsLimitsThoughMotionIsLookedAtLater) {
+    MigrateSpec spec = through_cubic_lattice();
+    spec.gradients = {1e-3, 1e-3};
+    spec.hold_at_most = 0.3 * spec.still_for;
+    const Migration cut = migrate(cubic_lattice(5), spec);
+    ASSERT_EQ(cut.result.holds.size(), 2U);
+    for (const MigrationHold& hold : cut.result.holds) {
+        EXPECT_NEAR(hold.held_for / spec.hold_at_most, 1, 0.05);
+        EXPECT_FALSE(hold.ended) << "nothing moves, but that takes longer to see";
+    }
+    spec.time_at_most = 0.4 * spec.still_for;
+    const Migration in_time = migrate(cubic_lattice(5), spec);
+    EXPECT_EQ(in_time.result.holds.size(), 2U);
+    EXPECT_NEAR(in_time.time / *spec.time_at_most, 1, 0.05);
 }
 
 TEST(Migration, GoesThroughItsGradientsOneAfterTheOther) {
@@ -316,6 +337,41 @@ TEST(Migration, BetweenGradientsLetsTheSkeletonFindItsStressAgain) {
         const double way = norm(migration.ledger.end[k] - migration.ledger.start[k]);
         EXPECT_TRUE(migration.ledger.where[k] != Whereabouts::Stayed || way <= 0.5 * migration.ledger.diameter[k]);
     }
+}
+
+/// Sum of the normal forces that fines exert and bear [N].
+double pressed_by_fines(const dem::World& world) {
+    double sum = 0;
+    for (const dem::ContactView& contact : dem::inspect_contacts(world)) {
+        const bool is_theirs = world.grains.fine[contact.i] != 0 || world.grains.fine[contact.j] != 0;
+        sum += is_theirs ? norm(contact.normal_force) : 0;
+    }
+    return sum;
+}
+
+TEST(Migration, LeavesASampleOfWhichNoneOfTheFinesPressesAnything) {
+    dem::World wedge = dense_lattice(6); // the water presses fines into holes where friction would keep them pressed
+    wedge.material.friction = 1;
+    const Migration migration =
+        migrate(wedge, {.gradients = {4}, .direction = {0.2, 0.1, 1}, .hold_at_most = 0.3, .gravity = Gravity{}});
+    ASSERT_GT(pressed_by_fines(migration.world), 0);
+    const dem::World after = migrated_sample(migration, {});
+    EXPECT_LT(pressed_by_fines(after), 1e-3 * pressed_by_fines(migration.world));
+    EXPECT_EQ(after.material.friction, wedge.material.friction);
+    for (std::size_t g = 0; g < after.grains.size(); ++g) {
+        const double way = norm(after.grains.position[g] - migration.world.grains.position[g]);
+        EXPECT_LT(way, 0.1 * after.grains.radius[g]) << "pushed apart, not thrown";
+    }
+}
+
+TEST(Migration, LeavesAHeldSkeletonWithTheStressAndTheBalanceOfBefore) {
+    const dem::World sample = stressed_packing();
+    const MigrateSpec spec{.gradients = {4}, .exit = 0.2e-3, .hold_at_most = 0.05, .gravity = Gravity{}};
+    const dem::World after = migrated_sample(migrate(sample, spec), {});
+    const double stress = dem::mean_stress(dem::mean_stress_tensor(sample));
+    EXPECT_NEAR(dem::mean_stress(dem::mean_stress_tensor(after)) / stress, 1, 1e-3);
+    const double unbalanced = dem::measure_equilibrium(sample).unbalanced_force;
+    EXPECT_NEAR(dem::measure_equilibrium(after).unbalanced_force / unbalanced, 1, 0.05);
 }
 
 TEST(Migration, WhoseSkeletonMovesGoesOnFromAnyOfItsStates) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::erosion {
 namespace {
@@ -76,6 +77,7 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
       throats_(before.world, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
       gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
+      most_steps_(spec.steps_at_most.value_or(std::numeric_limits<std::int64_t>::max()) - before.steps),
       force_(before.world.grains.size()), rate_(before.world.grains.size()) {
     if (before.stack.is_stack()) {
         layers_ = layer_gradients(water_.seepage(), before.stack, spec.direction);
@@ -106,7 +108,7 @@ void Leg::go(double time, double most) {
         flowed_ += speed_ * (now - took_);
         took_ = now;
         note_travel(time + took_);
-    } while (took_ < most * nearly_whole && !is_flow_old());
+    } while (took_ < most * nearly_whole && copy_.steps() < most_steps_ && !is_flow_old());
     for (std::size_t p = 0; p < present_.size(); ++p) {
         ledger_.goes[present_[p]] = goes_now(p) ? 1 : 0;
     }
@@ -126,6 +128,9 @@ void Leg::enter(Migration& migration) {
     migration.result.holds.back().sample_gradient = sample_gradient;
     note_whereabouts();
     migration.ledger = ledger_;
+    if (migration.result.rows.empty()) {
+        migration.result.resting_permeability = water_.permeability();
+    }
     MigrationRow row{
         .time = migration.time,
         .gradient = gradient_,

@@ -29,7 +29,7 @@ class Leg {
 public:
     Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& around);
 
-    /// Moves until the flow is old, for at most `most` of true time [s].
+    /// Moves until the flow is old, or the budget of steps is spent, for at most `most` of true time [s].
     void go(double time, double most);
 
     /// Enters what has happened.
@@ -75,6 +75,7 @@ private:
     double speed_ = 1;                 ///< of the water over that of the network, as moving grains leave it
     double burst_time_ = 0, took_ = 0; ///< true [s]
     double flowed_ = 0;                ///< integral of `speed_` over that time [s]
+    std::int64_t most_steps_;          ///< that are left of a budget
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
     std::vector<double> rate_;         ///< [1/s]
 };

@@ -142,10 +142,11 @@ struct MigrationLedger {
 struct MigrationResult {
     std::vector<MigrationRow> rows;
     std::vector<MigrationHold> holds;
-    double fines_mass = 0; ///< of the sample before [kg]
-    BaseProfile profile;   ///< of a stack
-    FilterView filter;     ///< likewise
-    SampleProfile sample;  ///< of others
+    double fines_mass = 0;           ///< of the sample before [kg]
+    double resting_permeability = 0; ///< along the flow, before any grain moves [m2]
+    BaseProfile profile;             ///< of a stack
+    FilterView filter;               ///< likewise
+    SampleProfile sample;            ///< of others
 };
 
 /// Mass that crossed the exit [kg].

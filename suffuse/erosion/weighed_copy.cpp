@@ -217,6 +217,10 @@ void WeighedCopy::immerse(std::span<const Vec3> force, std::span<const double> r
     damping_ = 0;
 }
 
+void WeighedCopy::brake() {
+    drag_ = largest_drag_step / step_.time_step;
+}
+
 double WeighedCopy::true_time() const {
     return scale_.time * std::sqrt(scale_.factor);
 }

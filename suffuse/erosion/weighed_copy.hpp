@@ -38,6 +38,9 @@ public:
     /// motion. @param force of the water on each grain at rest [N]; @param rate of each grain
     void immerse(std::span<const Vec3> force, std::span<const double> rate);
 
+    /// Until the load changes, drags the grains so that what is pressed gets apart and nothing flies.
+    void brake();
+
     /// True time that passes in one unit of hold(): forces are scaled up and masses are not, so that the copy moves as
     /// grains with contacts softer by scale().factor do, in a time shorter by its root [s].
     [[nodiscard]] double true_time() const;

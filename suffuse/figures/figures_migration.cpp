@@ -19,7 +19,8 @@ constexpr std::size_t most_shown = 400; ///< of a curve over time: more are not 
 
 /// Of the permeability with all fines at rest [%].
 double kept_permeability(const MigrationResult& result, double permeability) {
-    return 100 * permeability / result.rows.front().permeability;
+    const bool is_known = result.resting_permeability > 0; // runs of earlier programs lack it
+    return 100 * permeability / (is_known ? result.resting_permeability : result.rows.front().permeability);
 }
 
 /// Two panels, one above the other: eroded mass and permeability over the same axis.

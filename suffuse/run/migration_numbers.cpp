@@ -17,14 +17,15 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
     const erosion::Stack& stack = migration.stack;
     const erosion::LayerGradients &first = migration.at_first, &now = migration.now;
     const std::vector<erosion::MigrationRow>& rows = migration.result.rows;
+    const double resting = migration.result.resting_permeability;
     const double base = stack.base_thickness() / stack.length, filter = stack.filter_thickness() / stack.length;
     return {
         {"base_thickness", stack.base_thickness()},
         {"filter_thickness", stack.filter_thickness()},
         {"exit", stack.exit - stack.face},
         {"screen_mass_share", erosion::mass_share(migration.ledger, erosion::Whereabouts::Fixed)},
-        {"base_permeability", rows.front().permeability / first.base},
-        {"filter_permeability", rows.front().permeability / first.filter},
+        {"base_permeability", resting / first.base},
+        {"filter_permeability", resting / first.filter},
         {"interface_head_share", 1 - base * first.base - filter * first.filter},
         {"base_permeability_after", rows.back().permeability / now.base},
         {"filter_permeability_after", rows.back().permeability / now.filter},
@@ -56,7 +57,7 @@ nlohmann::json migration_numbers(const erosion::Migration& migration) {
         {"moving_mass_share", of_fines(Whereabouts::Moving)},
         {"fixed_mass_share", of_fines(Whereabouts::Fixed)},
         {"fed_mass_share", migration.fed_mass / result.fines_mass},
-        {"permeability_before", result.rows.front().permeability},
+        {"permeability_before", result.resting_permeability},
         {"permeability_after", result.rows.back().permeability},
         {"seconds", migration.time},
         {"flow_energy", migration.energy},
