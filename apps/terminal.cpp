@@ -130,6 +130,19 @@ std::string mobility_text(const nlohmann::json& state) {
     return text;
 }
 
+/// "14 % of the fines left, 12 % still move": of a stage in which they travel.
+std::string migration_text(const nlohmann::json& state) {
+    const auto holds = state.find("holds");
+    if (holds == state.end() || holds->empty() || state.value("fed_mass_share", 0.0) > 0) {
+        return "";
+    }
+    const auto percent = [&](const char* key) { return digits_text(100 * holds->back().value(key, 0.0), 2); };
+    return fmt::format(
+        "{} % of the {} left, {} % still move", percent("eroded_mass_share"),
+        state.contains("stack") ? "base" : "fines", percent("moving_mass_share")
+    );
+}
+
 } // namespace
 
 std::string state_text(const nlohmann::json& state) {
@@ -143,8 +156,8 @@ std::string state_text(const nlohmann::json& state) {
         const bool is_removal = traits != nullptr && !traits->has_water;
         text = fmt::format("{} {:.3g} % of the mass", is_removal ? "removed" : "eroded", eroded);
     }
-    if (const std::string moves = mobility_text(state); !moves.empty()) {
-        text += (text.empty() ? "" : "  ") + moves;
+    for (const std::string& of_fines : {mobility_text(state), migration_text(state)}) {
+        text += (text.empty() || of_fines.empty() ? "" : "  ") + of_fines;
     }
     const auto add = [&](const char* label, const std::string& value) {
         text += fmt::format("{}{} {}", text.empty() ? "" : "  ", label, value);

@@ -1,5 +1,6 @@
 #include "suffuse/answer/basis.hpp"
 
+#include "suffuse/answer/doubt.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/atlas/look_up.hpp"
@@ -24,12 +25,6 @@ namespace {
 
 using nlohmann::json;
 using study::MobilityStory;
-
-/// What a doubt is worth: 1 where it begins to matter.
-struct Doubt {
-    double weight = 0;
-    std::string sentence;
-};
 
 /// One estimate of the gradient that moves 1 % of the fines.
 struct Estimate {
@@ -257,17 +252,12 @@ std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Ro
 }
 
 std::vector<std::string> doubts_about(const MobilityStory& story) {
-    constexpr std::size_t most_reported = 3;
     std::vector<Doubt> doubts;
     doubt_model(story, doubts);
     doubt_size(story, doubts);
     doubt_motion(story, doubts);
     doubt_stress(story, doubts);
-    std::ranges::stable_sort(doubts, std::greater(), &Doubt::weight);
-    doubts.resize(std::min(doubts.size(), most_reported));
-    std::vector<std::string> sentences;
-    std::ranges::transform(doubts, std::back_inserter(sentences), &Doubt::sentence);
-    return sentences;
+    return largest_of(std::move(doubts));
 }
 
 } // namespace suffuse::answer

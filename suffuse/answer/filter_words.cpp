@@ -1,5 +1,6 @@
 #include "suffuse/answer/filter_words.hpp"
 
+#include "suffuse/answer/migration_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
 
@@ -7,8 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
 
 namespace suffuse::answer {
 namespace {
@@ -17,17 +16,7 @@ using erosion::MigrationHold;
 using erosion::MigrationResult;
 using record::FinishedStage;
 
-using Stages = std::vector<const FinishedStage*>;
-
-constexpr std::size_t most_stages = 3, most_doubts = 3, doubts_in_note = 2, most_listed = 60;
-
-const MigrationResult& result_of(const FinishedStage& stage) {
-    return *stage.findings.migration;
-}
-
-const MigrationHold& end_of(const FinishedStage& stage) {
-    return result_of(stage).holds.back();
-}
+constexpr std::size_t most_stages = 3, doubts_in_note = 2, most_listed = 60;
 
 /// At the last gradient: an earlier hold that was cut bounds its own number alone.
 bool has_ended(const MigrationResult& result) {
@@ -35,7 +24,7 @@ bool has_ended(const MigrationResult& result) {
 }
 
 std::string ratio_text(const FinishedStage& stage) {
-    const erosion::FilterView& view = result_of(stage).filter;
+    const erosion::FilterView& view = migration_of(stage).filter;
     return short_number(view.filter_d15 / view.base_d85, 2);
 }
 
@@ -44,12 +33,12 @@ std::string millimeters(double length) {
 }
 
 FilterVerdict verdict_on(const FinishedStage& stage) {
-    return judge_filter(result_of(stage).filter.passed, has_ended(result_of(stage)));
+    return judge_filter(migration_of(stage).filter.passed, has_ended(migration_of(stage)));
 }
 
 /// "nothing passed", "27 % passed" or, of a base with a gap, "27 % of the grains below its gap passed".
 std::string passed_text(const FinishedStage& stage) {
-    const erosion::FilterView& view = result_of(stage).filter;
+    const erosion::FilterView& view = migration_of(stage).filter;
     return view.passed > 0
                ? fmt::format(
                      "{} {}passed", percent_text(view.passed), view.base_gap ? "of the grains below its gap " : ""
@@ -59,56 +48,16 @@ std::string passed_text(const FinishedStage& stage) {
 
 /// "the filter holds: nothing passed, the base came 1.5 mm deep, and motion ended."
 std::string short_answer(const FinishedStage& stage) {
-    const MigrationHold& end = end_of(stage);
-    const bool ended = has_ended(result_of(stage));
+    const MigrationHold& end = last_hold(stage);
+    const bool ended = has_ended(migration_of(stage));
     return fmt::format(
         "{}: {}, the base came {} deep, and {}.", words_of(verdict_on(stage)), passed_text(stage),
         millimeters(end.depth), ended ? "motion ended" : percent_text(end.moving_mass_share) + " still moves"
     );
 }
 
-/// What a doubt is worth: 1 where it begins to matter.
-struct FilterDoubt {
-    double weight = 0;
-    std::string sentence;
-};
-
-void doubt_end(const Stages& stages, std::vector<FilterDoubt>& doubts) {
-    const auto cut =
-        std::ranges::find_if(stages, [](const FinishedStage* stage) { return !has_ended(result_of(*stage)); });
-    if (cut != stages.end()) {
-        const MigrationHold& end = end_of(**cut);
-        const bool is_over = std::get<erosion::MigrateSpec>((*cut)->stage->spec).time_at_most.has_value();
-        doubts.push_back(
-            {10, fmt::format(
-                     "Motion had not ended after {} s: what passed is a lower bound. To hold longer: `--set "
-                     "'study.{}.stage.{}.{}={:.2g} s'`.",
-                     short_number(end.held_for, 2), (*cut)->study->name, (*cut)->stage->name,
-                     is_over ? "time_at_most" : "hold_at_most", 4 * end.held_for
-                 )}
-        );
-    }
-}
-
-void doubt_overlap(const Stages& stages, std::vector<FilterDoubt>& doubts) {
-    constexpr double wide = 0.05;
-    double overlap = 0;
-    for (const FinishedStage* stage : stages) {
-        overlap = std::max(overlap, stage->numbers.at("largest_overlap").get<double>());
-    }
-    if (overlap > wide) {
-        doubts.push_back(
-            {overlap / wide, fmt::format(
-                                 "Base grains overlapped by up to {} of a radius. A larger `modulus`, or a smaller "
-                                 "`pressure` of the compaction, mends that.",
-                                 percent_text(overlap)
-                             )}
-        );
-    }
-}
-
 /// The base is softer by the same factor as its contacts, and bears that much less.
-void doubt_stress(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+void doubt_stress(const FinishedStages& stages, std::vector<Doubt>& doubts) {
     const FinishedStage& stage = *stages.front();
     const double base = stage.numbers.at("stack").at("base_stress"), mean = stage.numbers.at("mean_stress");
     doubts.push_back(
@@ -119,7 +68,7 @@ void doubt_stress(const Stages& stages, std::vector<FilterDoubt>& doubts) {
     );
 }
 
-void doubt_scatter(const Stages& stages, std::vector<FilterDoubt>& doubts) {
+void doubt_scatter(const FinishedStages& stages, std::vector<Doubt>& doubts) {
     const FinishedStage& stage = *stages.front();
     if (stage.study->replicates < 2) {
         doubts.push_back(
@@ -161,8 +110,8 @@ std::string_view words_of(FilterVerdict verdict) {
     return "";
 }
 
-std::vector<const FinishedStage*> filter_stages(const std::vector<FinishedStage>& stages) {
-    Stages found;
+FinishedStages filter_stages(const std::vector<FinishedStage>& stages) {
+    FinishedStages found;
     for (const FinishedStage& stage : stages) {
         const auto& migration = stage.findings.migration;
         if (migration && migration->filter.filter_d15 > 0 && !migration->holds.empty()) {
@@ -172,7 +121,7 @@ std::vector<const FinishedStage*> filter_stages(const std::vector<FinishedStage>
     return found;
 }
 
-std::vector<std::string> filter_verdict(const Stages& stages) {
+std::vector<std::string> filter_verdict(const FinishedStages& stages) {
     if (stages.size() > most_stages) {
         const auto count = [&](FilterVerdict verdict) {
             return std::ranges::count(stages, verdict, [](const FinishedStage* stage) { return verdict_on(*stage); });
@@ -191,28 +140,24 @@ std::vector<std::string> filter_verdict(const Stages& stages) {
     return sentences;
 }
 
-std::vector<std::string> filter_doubts(const Stages& stages) {
-    std::vector<FilterDoubt> doubts;
+std::vector<std::string> filter_doubts(const FinishedStages& stages) {
+    std::vector<Doubt> doubts;
     doubt_end(stages, doubts);
-    doubt_overlap(stages, doubts);
+    doubt_overlap(stages, "A larger `modulus`, or a smaller `pressure` of the compaction, mends that.", doubts);
     doubt_scatter(stages, doubts);
     doubt_stress(stages, doubts);
-    std::ranges::stable_sort(doubts, std::greater(), &FilterDoubt::weight);
-    doubts.resize(std::min(doubts.size(), most_doubts));
-    std::vector<std::string> sentences;
-    std::ranges::transform(doubts, std::back_inserter(sentences), &FilterDoubt::sentence);
-    return sentences;
+    return largest_of(std::move(doubts));
 }
 
-std::vector<Headline> filter_headlines(const Stages& stages) {
+std::vector<Headline> filter_headlines(const FinishedStages& stages) {
     std::vector<Headline> cards;
     for (const FinishedStage* stage : stages) {
         if (cards.size() == most_stages) {
             break;
         }
-        const MigrationHold& end = end_of(*stage);
-        const erosion::FilterView& view = result_of(*stage).filter;
-        const bool ended = has_ended(result_of(*stage));
+        const MigrationHold& end = last_hold(*stage);
+        const erosion::FilterView& view = migration_of(*stage).filter;
+        const bool ended = has_ended(migration_of(*stage));
         Headline card{
             percent_text(view.passed), fmt::format("Passed at D15/d85 = {}", ratio_text(*stage)),
             fmt::format(
@@ -228,7 +173,7 @@ std::vector<Headline> filter_headlines(const Stages& stages) {
 }
 
 std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedStage>& stages) {
-    const Stages found = filter_stages(stages);
+    const FinishedStages found = filter_stages(stages);
     if (found.empty()) {
         return std::nullopt;
     }
@@ -261,10 +206,10 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
         if (table.rows.size() == most_listed) {
             break;
         }
-        const MigrationHold& end = end_of(*stage);
-        const erosion::FilterView& view = result_of(*stage).filter;
+        const MigrationHold& end = last_hold(*stage);
+        const erosion::FilterView& view = migration_of(*stage).filter;
         table.rows.push_back(
-            {stage->name(), ratio_text(*stage), short_number(end.gradient), hold_text(result_of(*stage)),
+            {stage->name(), ratio_text(*stage), short_number(end.gradient), hold_text(migration_of(*stage)),
              percent_text(view.passed), percent_text(end.moving_mass_share), percent_text(end.entered_mass_share),
              short_number(1e3 * end.depth, 2), short_number(view.constriction / view.filter_d15, 2),
              view.largest_eroded > 0 ? short_number(1e3 * view.largest_eroded, 2) : "–",

@@ -2,6 +2,7 @@
 
 #include "suffuse/answer/basis.hpp"
 #include "suffuse/answer/filter_words.hpp"
+#include "suffuse/answer/migration_words.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/answer/strength_words.hpp"
@@ -45,10 +46,11 @@ std::vector<Headline> cards_of(const RunResults& results, const std::vector<stud
             add(mobility_headlines(*main), cards);
         }
         add(erosion_headlines(results.story.erosion, fluid, point), cards);
+        add(migration_headlines(migration_stages(results.stages)), cards);
         if (auto headline = strength_headline(results.strength)) {
             cards.push_back(std::move(*headline));
         }
-        if (point != nullptr && results.story.erosion.passes.empty()) {
+        if (point != nullptr && results.story.erosion.passes.empty() && question != Question::Migration) {
             add(state_headlines(*point, fluid), cards);
         }
     }
@@ -137,6 +139,8 @@ std::vector<std::string> pictures_for(Question question) {
         return {"own-mobility", "own-strength", "own-mobile-sizes"};
     case Question::Erosion:
         return {"own-strength", "own-permeability", "fig13"};
+    case Question::Migration:
+        return {"own-migration", "own-migration-time"};
     case Question::Probe:
         return {"fig09", "own-rules"};
     case Question::Removal:
@@ -166,6 +170,9 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     }
     if (question == Question::Filter) {
         opening.doubts = filter_doubts(filter_stages(results.stages));
+    }
+    if (question == Question::Migration) {
+        opening.doubts = migration_doubts(migration_stages(results.stages));
     }
     opening.pictures = pictures_for(question);
     opening.shows_grains =

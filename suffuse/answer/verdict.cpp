@@ -2,6 +2,7 @@
 
 #include "suffuse/answer/filter_words.hpp"
 #include "suffuse/answer/headlines.hpp"
+#include "suffuse/answer/migration_words.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/answer/surrogate_words.hpp"
@@ -127,25 +128,30 @@ std::string describe_eroded(const RunResults& results, const OutcomePoint* point
                : fmt::format("Water at i = {:g} carries out none of the fines.", gradient);
 }
 
-std::optional<std::string> describe_permeability(const RunResults& results, const OutcomePoint* point) {
-    const auto found = study::permeability_after(results.story.erosion, results.what->fluid.conductance);
-    const Scatter* const all = point == nullptr ? nullptr : point->find(Result::PermeabilityChange);
-    if (!found && all == nullptr) {
-        return std::nullopt;
-    }
-    const double change = all != nullptr ? all->mean : found->change;
+/// @param at_most "up to " of a change that is known to be too large
+std::string describe_permeability(double change, const char* at_most) {
     if (std::abs(change - 1) < erosion::least_permeability_change) {
         return "The permeability does not change.";
     }
     if (change < 1) {
         return fmt::format("The permeability falls to {} of its initial value.", percent_text(change));
     }
-    const char* const at_most = found && found->is_too_high ? "up to " : "";
     return change < 1.1
                ? fmt::format("The permeability rises by {}{}.", at_most, percent_text(change - 1))
                : fmt::format(
                      "The permeability rises {}{} times.", at_most, fixed(change, std::min(2, decimals_for(change, 2)))
                  );
+}
+
+std::optional<std::string> describe_permeability(const RunResults& results, const OutcomePoint* point) {
+    const auto found = study::permeability_after(results.story.erosion, results.what->fluid.conductance);
+    const Scatter* const all = point == nullptr ? nullptr : point->find(Result::PermeabilityChange);
+    if (!found && all == nullptr) {
+        return std::nullopt;
+    }
+    return describe_permeability(
+        all != nullptr ? all->mean : found->change, found && found->is_too_high ? "up to " : ""
+    );
 }
 
 std::optional<std::string> describe_change_of_strength(const std::vector<study::StrengthChange>& changes) {
@@ -179,6 +185,18 @@ std::vector<std::string> describe_erosion(const RunResults& results, const Outco
         if (line) {
             lines.push_back(std::move(*line));
         }
+    }
+    return lines;
+}
+
+std::vector<std::string> describe_migration(const RunResults& results) {
+    const FinishedStages stages = migration_stages(results.stages);
+    std::vector<std::string> lines = migration_verdict(stages);
+    if (stages.size() == 1) {
+        lines.push_back(describe_permeability(permeability_change(*stages.front()), ""));
+    }
+    if (auto line = describe_change_of_strength(results.strength)) {
+        lines.push_back(std::move(*line));
     }
     return lines;
 }
@@ -280,6 +298,9 @@ Question question_of(const RunResults& results) {
     if (!results.story.erosion.passes.empty()) {
         return Question::Erosion;
     }
+    if (!migration_stages(results.stages).empty()) {
+        return Question::Migration;
+    }
     if (!results.story.probes.empty()) {
         return Question::Probe;
     }
@@ -305,6 +326,9 @@ std::vector<std::string> verdict_of_run(const RunResults& results) {
         break;
     case Question::Erosion:
         lines = describe_erosion(results, point);
+        break;
+    case Question::Migration:
+        lines = describe_migration(results);
         break;
     case Question::Probe:
         lines = describe_probe(results);

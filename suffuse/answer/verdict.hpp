@@ -10,14 +10,15 @@ namespace suffuse::answer {
 
 /// What the run is about: decides verdict, cards and picture alike.
 enum class Question {
-    Fines,   ///< a study over the fines content whose thresholds were found
-    Filter,  ///< whether a filter holds its base
-    Sweep,   ///< a study over something else
-    Weight,  ///< which gradient moves fines that have weight
-    Erosion, ///< what an erosion by water does
-    Probe,   ///< which fines a gradient detaches
-    Removal, ///< what fines taken out without water do
-    State    ///< strength, permeability and void ratio of a soil as it is
+    Fines,     ///< a study over the fines content whose thresholds were found
+    Filter,    ///< whether a filter holds its base
+    Sweep,     ///< a study over something else
+    Weight,    ///< which gradient moves fines that have weight
+    Erosion,   ///< what an erosion by water does
+    Migration, ///< which fines leave that travel with the water
+    Probe,     ///< which fines a gradient detaches
+    Removal,   ///< what fines taken out without water do
+    State      ///< strength, permeability and void ratio of a soil as it is
 };
 
 Question question_of(const study::RunResults& results);

@@ -3,6 +3,7 @@
 #include "suffuse/answer/answer_fines.hpp"
 #include "suffuse/answer/erosion_table.hpp"
 #include "suffuse/answer/filter_words.hpp"
+#include "suffuse/answer/migration_words.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/opening.hpp"
 #include "suffuse/answer/readings_table.hpp"
@@ -291,7 +292,7 @@ report::ReportData describe_run(
          {answer::tabulate_surrogate(results.mobility), figures::mobility_table(results.mobility),
           answer::tabulate_removals(stages), answer::tabulate_strength(results.strength),
           answer::tabulate_tests(results), answer::tabulate_water(folder, stages, story, what.fluid),
-          answer::tabulate_filters(stages), answer::tabulate_erosions(stages)}) {
+          answer::tabulate_filters(stages), answer::tabulate_migrations(stages), answer::tabulate_erosions(stages)}) {
         if (table) {
             data.tables.push_back(std::move(*table));
         }

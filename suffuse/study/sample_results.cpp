@@ -46,6 +46,19 @@ void add_erosion(const Stages& stages, const casefile::Variant& sample, Results&
     }
 }
 
+/// Of fines of one soil that travel with the water, where no erosion by rules has eroded the sample.
+void add_migration(const record::FinishedStage& stage, Results& to) {
+    const auto& migration = stage.findings.migration;
+    if (migration && migration->filter.filter_d15 == 0 && !to.contains(Result::ErodedMass)) {
+        const nlohmann::json& n = stage.numbers;
+        to.emplace(Result::ErodedMass, n.at("eroded_share_of_solids").get<double>());
+        to.emplace(
+            Result::PermeabilityChange,
+            n.at("permeability_after").get<double>() / n.at("permeability_before").get<double>()
+        );
+    }
+}
+
 void add_removal(const record::FinishedStage& stage, Results& to) {
     const nlohmann::json& n = stage.numbers;
     if (std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) && n.contains("passes") && n.at("removed") > 0) {
@@ -116,6 +129,11 @@ Results results_of_sample(const Stages& stages, const casefile::Variant& sample)
         }
     }
     add_erosion(stages, sample, found);
+    for (const record::FinishedStage& stage : stages) {
+        if (stage.variant == &sample) {
+            add_migration(stage, found);
+        }
+    }
     return found;
 }
 
