@@ -84,7 +84,7 @@ TEST(MigrationWords, DoubtMotionThatHasNotEndedFirst) {
     EXPECT_TRUE(migration_doubts(good.found()).empty());
 }
 
-TEST(MigrationWords, AskForMoreOfTheLimitThatCutTheLastHold) {
+TEST(MigrationWords, AdviseToRaiseTheLimitThatCutTheLastHold) {
     const auto advice = [](const erosion::MigrateSpec& spec) {
         MigrationRun run;
         run.stage.spec = spec;

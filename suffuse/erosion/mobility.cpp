@@ -124,8 +124,9 @@ void compare_with_weight(const WeighedCopy& copy, const UnitSeepage& water, doub
         }
         result.single_grain_gradient = quantile(std::move(lifting), 0.05);
     }
-    if (result.alpha_fines && result.heave_gradient) {
-        result.skempton_brogan_gradient = *result.alpha_fines * *result.heave_gradient;
+    const bool is_straight_up = dot(result.direction, result.down) < -0.9999; // as in their tests
+    if (result.alpha_fines && is_straight_up) {
+        result.skempton_brogan_gradient = *result.alpha_fines * result.critical_gradient;
     }
 }
 

@@ -194,6 +194,9 @@ TEST(Mobility, ComparesTheSeepageForceOfFinesWithTheirWeight) {
     EXPECT_NEAR(*result.fines_heave_gradient, 2 * *result.heave_gradient, 1e-12)
         << "half of the mass, a quarter of the force";
     EXPECT_NEAR(*result.skempton_brogan_gradient, *result.alpha_fines * *result.heave_gradient, 1e-12);
+    const MobilityResult inclined = find_mobility(world, {.direction = {0, 1, 1}, .gradients = {1e-4}}, solve);
+    EXPECT_TRUE(inclined.heave_gradient);
+    EXPECT_FALSE(inclined.skempton_brogan_gradient) << "their rule is of vertical flow";
 }
 
 TEST(Mobility, AcrossASaddleIsReachedAtTheSlopeOfTheWayToItWithAndWithoutFriction) {

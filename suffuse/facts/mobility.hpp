@@ -68,7 +68,7 @@ inline constexpr std::tuple mobility{
         "alpha_fines", "-", "α, mean effective stress in the fines over that of the soil"
     ),
     row<&erosion::MobilityResult::skempton_brogan_gradient>(
-        "skempton_brogan_gradient", "-", "α × `heave_gradient`, or null"
+        "skempton_brogan_gradient", "-", "α × i_c, of vertical flow upward; else null"
     ),
     row<&erosion::MobilityResult::fines_heave_gradient>(
         "fines_heave_gradient", "-", "`heave_gradient` × FC/s, or null"
