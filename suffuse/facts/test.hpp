@@ -21,8 +21,11 @@ inline constexpr std::tuple response{
         .as(Shown{"friction angle", "φ", "°", 3}),
     row<&triaxial::Response::final_deviator>("final_deviator", "Pa", "q at the end")
         .as(Shown{"deviator stress at the end", "q", "kPa"}),
-    row<&triaxial::Response::stiffness>("stiffness", "Pa", "secant E50").as(Shown{"secant stiffness", "E50", "MPa", 3}),
-    row<&triaxial::Response::dilatancy>("dilatancy", "-", "largest −dεᵥ/dε₁ over one percent of strain")
+    row<&triaxial::Response::stiffness>("stiffness", "Pa", "secant E50; null where q is held or never grows")
+        .as(Shown{"secant stiffness", "E50", "MPa", 3}),
+    row<&triaxial::Response::dilatancy>(
+        "dilatancy", "-", "largest −dεᵥ/dε₁ over one percent of strain; null of less strain"
+    )
         .as(Shown{"dilatancy", "", "-", 3}),
     row<&triaxial::Response::largest_contraction>("largest_contraction", "-", "largest volumetric strain"),
     row<&triaxial::Response::final_volumetric_strain>("final_volumetric_strain", "-", "at the end")
@@ -54,14 +57,17 @@ inline constexpr std::tuple response{
 
 /// Of `oedometer` and `isotropic`.
 inline constexpr std::tuple compression{
-    row<&triaxial::CompressionNumbers::k0>("k0", "-", "lateral over axial stress at the highest axial stress; or null")
+    row<&triaxial::CompressionNumbers::k0>(
+        "k0", "-", "lateral over axial stress at the highest axial stress; null where that is the first"
+    )
         .as(Shown{"K0", "K₀", "-", 3}),
     row<&triaxial::CompressionNumbers::compression_index>(
-        "compression_index", "-", "−de/dlog₁₀σ of first loading, over its last half decade; or null"
+        "compression_index", "-",
+        "−de/dlog₁₀σ of first loading, over its last half decade; null where the stress never grows"
     )
         .as(Shown{"compression index", "Cc", "-", 3}),
     row<&triaxial::CompressionNumbers::swelling_index>(
-        "swelling_index", "-", "−de/dlog₁₀σ while the stress falls; or null"
+        "swelling_index", "-", "−de/dlog₁₀σ while the stress falls; null where it never does"
     )
         .as(Shown{"swelling index", "Cs", "-", 3}),
 };

@@ -167,7 +167,7 @@ TEST(Extension, LowersTheAxialStressAtTheLateralOneOfTheStart) {
     const Response response = summarize(rows, spec);
     EXPECT_LT(response.peak_deviator, -2e4);
     EXPECT_LT(response.peak_strain, 0);
-    EXPECT_GT(response.stiffness, 0);
+    EXPECT_GT(response.stiffness.value(), 0);
     EXPECT_FALSE(response.lost_at);
     const auto peak = std::ranges::min_element(rows, {}, &PathRow::deviator_stress);
     const double lateral = 0.5 * (peak->stress(0, 0) + peak->stress(1, 1)),
@@ -283,6 +283,18 @@ TEST(CompressionNumbers, AreTheSlopesOfFirstLoadingAndOfUnloading) {
     rows.resize(5);
     EXPECT_FALSE(compression_numbers(spec, rows).swelling_index);
     EXPECT_FALSE(compression_numbers(IsotropicSpec{}, rows).k0);
+}
+
+TEST(CompressionNumbers, OfATestThatOnlyUnloadsOrStaysWhereItIsAreNothing) {
+    OedometerSpec spec;
+    const CompressionNumbers unloaded =
+        compression_numbers(spec, {row_of(1e5, 0.7), row_of(8e4, 0.702), row_of(5e4, 0.705)});
+    EXPECT_TRUE(unloaded.swelling_index);
+    EXPECT_FALSE(unloaded.compression_index || unloaded.k0);
+    const std::vector<PathRow> stays{
+        row_of(1e5, 0.7), row_of(1.001e5, 0.701), row_of(1.0005e5, 0.699), row_of(1.0003e5, 0.7)};
+    const CompressionNumbers rested = compression_numbers(spec, stays);
+    EXPECT_FALSE(rested.swelling_index || rested.compression_index || rested.k0);
 }
 
 TEST(ShearNumbers, RotateTheMajorStressByHalfTheAngleOfMohrsCircle) {

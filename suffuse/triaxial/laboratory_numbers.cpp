@@ -1,9 +1,11 @@
 #include "suffuse/triaxial/laboratory_numbers.hpp"
 
 #include "suffuse/triaxial/path_loading.hpp"
+#include "suffuse/triaxial/response.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 namespace suffuse::triaxial {
@@ -11,16 +13,23 @@ namespace {
 
 constexpr double first_loading_span = 3.1622776601683795; // half a decade
 
-/// -de/dlog10 of the axial stress, by least squares; nothing of less than two rows.
+/// Whether a stress grew by more than a test may be off.
+bool has_grown(double from, double to) {
+    return to > (1 + good_hold_error) * from;
+}
+
+/// -de/dlog10 of the axial stress, by least squares; nothing where that is the same in all rows.
 std::optional<double> index_of(std::span<const PathRow* const> rows, int axis) {
     double x = 0, y = 0, xx = 0, xy = 0;
+    double least = std::numeric_limits<double>::infinity(), most = 0;
     const auto count = static_cast<double>(rows.size());
     for (const PathRow* row : rows) {
         const double stress = std::log10(row->stress(axis, axis));
+        least = std::min(least, row->stress(axis, axis)), most = std::max(most, row->stress(axis, axis));
         x += stress, y += row->void_ratio, xx += stress * stress, xy += stress * row->void_ratio;
     }
     const double spread = count * xx - x * x;
-    return rows.size() > 1 && spread > 0 ? std::optional(-(count * xy - x * y) / spread) : std::nullopt;
+    return has_grown(least, most) ? std::optional(-(count * xy - x * y) / spread) : std::nullopt;
 }
 
 double ratio_of(const TriaxialSpec& spec, const PathRow& row) {
@@ -45,7 +54,7 @@ CompressionNumbers compression_numbers(const TriaxialSpec& spec, const std::vect
         }
     }
     CompressionNumbers numbers;
-    if (spec.path != Path::Isotropic) {
+    if (spec.path != Path::Isotropic && has_grown(axial(rows.front()), axial(highest))) {
         numbers.k0 = lateral_mean(highest.stress, spec.axis) / axial(highest);
     }
     numbers.compression_index = index_of(loads, spec.axis);

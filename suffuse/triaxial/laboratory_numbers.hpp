@@ -10,9 +10,10 @@
 namespace suffuse::triaxial {
 
 /// Of an oedometer or of isotropic compression. Indices are the slopes of e against log10 of the axial stress by least
-/// squares: of first loading over its last half decade, of swelling over all rows in which the stress falls.
+/// squares: of first loading over its last half decade, of swelling over all rows in which the stress falls. A change
+/// of stress within what a test may be off is none.
 struct CompressionNumbers {
-    std::optional<double> k0;                ///< lateral over axial stress at the highest one; not of isotropic stress
+    std::optional<double> k0; ///< at the highest axial stress; nothing where it never loads, or isotropic
     std::optional<double> compression_index; ///< C_c [-]; nothing where the test never loads
     std::optional<double> swelling_index;    ///< C_s [-]; nothing where it never unloads
 };

@@ -100,12 +100,12 @@ std::optional<double> loss_of_hold(const std::vector<PathRow>& rows, const Triax
     return lost == rows.end() ? std::nullopt : std::optional(lost->axial_strain);
 }
 
-/// Secant from the start to half of the increase of q, 0 where there is none [Pa].
-double stiffness_until(const std::vector<PathRow>& rows, double peak) {
+/// Secant from the start to half of the increase of q [Pa]; nothing where there is none.
+std::optional<double> stiffness_until(const std::vector<PathRow>& rows, double peak) {
     const double start = rows.front().deviator_stress, half = start + 0.5 * (peak - start);
     for (std::size_t k = 1; k < rows.size(); ++k) {
         const PathRow &a = rows[k - 1], &b = rows[k];
-        if (b.deviator_stress < half) {
+        if (!(half > start) || b.deviator_stress < half) {
             continue;
         }
         const double share = (half - a.deviator_stress) / (b.deviator_stress - a.deviator_stress);
@@ -114,21 +114,22 @@ double stiffness_until(const std::vector<PathRow>& rows, double peak) {
             return (half - start) / strain;
         }
     }
-    return 0;
+    return {};
 }
 
 /// Largest -d eps_v / d eps_1 [-], over one percent of strain or the next row beyond: the noise of single rows is no
-/// dilatancy.
-double largest_dilatancy(const std::vector<PathRow>& rows) {
+/// dilatancy. Nothing of a shorter test; 0 where it only contracts.
+std::optional<double> largest_dilatancy(const std::vector<PathRow>& rows) {
     constexpr double slope_span = 0.01 * (1 - 1e-9);
-    double dilatancy = 0;
+    std::optional<double> dilatancy;
     for (std::size_t k = 0, first = 0; k < rows.size(); ++k) {
         while (first + 1 < k && rows[k].axial_strain - rows[first + 1].axial_strain >= slope_span) {
             ++first;
         }
         const double run = rows[k].axial_strain - rows[first].axial_strain;
         if (run >= slope_span) {
-            dilatancy = std::max(dilatancy, -(rows[k].volumetric_strain - rows[first].volumetric_strain) / run);
+            const double slope = -(rows[k].volumetric_strain - rows[first].volumetric_strain) / run;
+            dilatancy = std::max(dilatancy.value_or(0), slope);
         }
     }
     return dilatancy;
@@ -176,7 +177,9 @@ Response summarize(const std::vector<PathRow>& rows, const TriaxialSpec& spec) {
     for (const PathRow& row : rows) {
         response.largest_contraction = std::max(response.largest_contraction, row.volumetric_strain);
     }
-    response.stiffness = path == Path::ConstantDeviator ? 0 : stiffness_until(rows, response.peak_deviator);
+    if (path != Path::ConstantDeviator) {
+        response.stiffness = stiffness_until(rows, response.peak_deviator);
+    }
     response.dilatancy = largest_dilatancy(rows);
     response.final_deviator = rows.back().deviator_stress;
     response.final_volumetric_strain = rows.back().volumetric_strain;

@@ -23,10 +23,12 @@ struct Response {
     double peak_ratio = 0;              ///< q/p at the peak [-]
     double friction_angle = 0;          ///< at the peak, sin = (s1 - s3)/(s1 + s3) [rad]
     double final_deviator = 0;          ///< at the last row [Pa]
-    double stiffness = 0;               ///< secant E50: half the peak deviator over the strain there; 0: none [Pa]
-    double dilatancy = 0;               ///< largest -d eps_v / d eps_1 over one percent of strain [-]
     double largest_contraction = 0;     ///< volumetric strain [-]
     double final_volumetric_strain = 0; ///< [-]
+    std::optional<double>
+        stiffness; ///< secant E50 to half the growth of q; nothing where q is held or never grows [Pa]
+    std::optional<double>
+        dilatancy; ///< largest -d eps_v / d eps_1 over one percent of strain; nothing of less strain [-]
     /// Drained, constant mean: axial strain at which the stress held was lost, for the sample gave way faster than a
     /// servo may follow; what comes later is no test of this path [-]
     std::optional<double> lost_at;
