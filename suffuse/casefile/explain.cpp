@@ -62,6 +62,13 @@ constexpr std::array code_table = {
     Code{
         "E408", "unknown study",
         "--study NAME, and `studies` of a preset, take the NAME of a [study.NAME] table of the case."},
+    Code{
+        "E409", "a stage that never runs",
+        "`only` of a stage names keys of the study's `sweep` or `rows`, and the values for which the stage runs."},
+    Code{
+        "W409", "a value that is not swept",
+        "`only` of a stage names a value that the sweep does not have. Correct it, unless a preset or --set left it "
+        "out."},
     Code{"E501", "no such file", "A path in a case starts at the folder of the case."},
     Code{
         "E502", "bad value in a data file",

@@ -284,7 +284,14 @@ struct CheckValues {
         check_loading(checks, stage, settle.loading, checks.stage_place(stage, "pressure").source != nullptr);
     }
 
-    void operator()(const triaxial::TriaxialSpec&) const {}
+    void operator()(const triaxial::TriaxialSpec& test) const {
+        for (const double stress : test.stresses) {
+            checks.check_pressure(stage, "stresses", stress);
+        }
+        if (test.deviator_stress) { // the axial stress is more than that
+            checks.check_pressure(stage, "deviator_stress", *test.deviator_stress);
+        }
+    }
 
     void operator()(const triaxial::StressProbeSpec&) const {}
 

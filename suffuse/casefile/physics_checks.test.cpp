@@ -33,6 +33,16 @@ TEST(PhysicsChecks, StressesOfOtherStagesAreCheckedToo) {
     );
 }
 
+TEST(PhysicsChecks, StressesThatATestComesToAreChecked) {
+    const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\n";
+    for (const char* verb : {"oedometer", "isotropic"}) {
+        const std::string text = head + "do = \"" + verb + "\"\nstresses = [\"200 kPa\", \"20 MPa\"]\n";
+        EXPECT_EQ(find_problem(problems_of(text), "E603").line, 18) << verb;
+        EXPECT_EQ(problems_of(replaced(text, "20 MPa", "400 kPa")).size(), 0U);
+    }
+    EXPECT_EQ(find_problem(problems_of(head + "do = \"triaxial\"\ndeviator_stress = \"20 MPa\"\n"), "E603").line, 18);
+}
+
 TEST(PhysicsChecks, SkemptonsBNeedsTheStiffnessOfTheFluid) {
     const std::string stage = "[[study.one.stage]]\nname = \"x\"\ndo = \"stiffness\"\nmeasure = [\"skempton-b\"]\n";
     const Diagnostic found = find_problem(problems_of(good_case + stage), "E207");

@@ -122,6 +122,35 @@ TEST(Studies, OnlyRunsAStageForItsValues) {
     EXPECT_EQ(parents(study.variants[4]), (std::vector<int>{-1, 0, 1, 2, 1, 4, 4, 1, 1, 1, 1, 1, 1, 1, 1}));
 }
 
+TEST(Studies, AStageForAKeyThatIsNotSweptIsRefused) {
+    const Diagnostic found = find_problem(
+        problems_of(
+            replaced(full_case, "only = { fines_content = [0.1] }", "only = { \"contact.friction\" = [\"30 deg\"] }")
+        ),
+        "E409"
+    );
+    EXPECT_GT(found.line, 1);
+    EXPECT_NE(
+        found.message.find("stage \"probe\" would never run: it is for values of `contact.friction`"), std::string::npos
+    );
+    EXPECT_NE(found.help.find("`fines_content`"), std::string::npos) << found.help;
+    const std::string alone = good_case + stage("x", "settle", "only = { fines_content = [0.1] }\n");
+    EXPECT_NE(find_problem(problems_of(alone), "E409").help.find("sweeps nothing"), std::string::npos);
+}
+
+TEST(Studies, AStageForAValueThatIsNotSweptIsReportedWithThoseThatAre) {
+    const auto with = [](const std::string& values) {
+        return problems_of(
+            replaced(full_case, "only = { fines_content = [0.1] }", "only = { fines_content = " + values + " }")
+        );
+    };
+    const Diagnostic found = find_problem(with("[0.1, \"15 %\"]"), "W409");
+    EXPECT_TRUE(found.is_warning);
+    EXPECT_NE(found.message.find("\"probe\" is for \"15 %\" of `fines_content`"), std::string::npos) << found.message;
+    EXPECT_NE(found.help.find("10 %"), std::string::npos) << found.help;
+    EXPECT_EQ(find_problem(with("[\"10 %\", 0.2]"), "W409").message.find("no W409"), 0U) << "however they are written";
+}
+
 TEST(Studies, AStudyWithoutSweepHasOneVariant) {
     const Case c = load(good_case);
     EXPECT_EQ(folders(c.studies[0]), (std::vector<std::string>{"one"}));

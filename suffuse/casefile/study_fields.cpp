@@ -17,6 +17,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace suffuse::casefile {
@@ -110,6 +111,61 @@ void check_folders(ReadContext& context, const Study& study, const Node& node) {
                     "E204", place_in_sweep(node.find("sweep")->value.find(sweep.key)->value, value),
                     fmt::format("{} and {} of `{}` would share the folder {}", known->second, text, sweep.key, folder),
                     "keep one of them, or values that differ in their first six digits"
+                );
+            }
+        }
+    }
+}
+
+/// A stage runs for values that are swept. A preset or --set may have left some of them out of the sweep, so that a
+/// value which is not there need not be a mistake.
+void check_only(ReadContext& context, const Study& study, const std::string& path) {
+    constexpr std::size_t most_shown = 10;
+    if (context.problems.has_errors()) {
+        return; // the sweep or a file of rows may be what could not be read
+    }
+    std::map<std::string, std::vector<Scalar>> swept; // of `sweep` and of `rows`
+    for (const std::vector<Sweep>* const sweeps : {&study.sweep, &study.rows}) {
+        for (const Sweep& sweep : *sweeps) {
+            swept[sweep.key] = sweep.values;
+        }
+    }
+    std::vector<std::string> keys;
+    std::ranges::transform(swept, std::back_inserter(keys), [](const auto& entry) { return "`" + entry.first + "`"; });
+    for (const Stage& stage : study.stages) {
+        const Place place = context.places[fmt::format("{}.stage.{}.only", path, stage.name)];
+        for (const Sweep& only : stage.only) {
+            const auto known = swept.find(only.key);
+            if (known == swept.end()) {
+                context.problems.error(
+                    "E409", place,
+                    fmt::format(
+                        "stage \"{}\" would never run: it is for values of `{}`, which is not swept", stage.name,
+                        only.key
+                    ),
+                    keys.empty()
+                        ? "leave `only` out: this study sweeps nothing"
+                        : fmt::format("leave `only` out, or name a key of the sweep: {}", fmt::join(keys, ", "))
+                );
+                continue;
+            }
+            const auto printed = [](const Scalar& value) { return print_value(make_node(value)); };
+            for (const Scalar& value : only.values) {
+                if (std::ranges::any_of(known->second, [&](const Scalar& one) { return same_value(one, value); })) {
+                    continue;
+                }
+                std::vector<std::string> values;
+                std::ranges::transform(known->second, std::back_inserter(values), printed);
+                if (values.size() > most_shown) {
+                    values.resize(most_shown);
+                    values.emplace_back("...");
+                }
+                context.problems.warning(
+                    "W409", place,
+                    fmt::format(
+                        "stage \"{}\" is for {} of `{}`, which is not swept", stage.name, printed(value), only.key
+                    ),
+                    fmt::format("take values of the sweep: {}", fmt::join(values, ", "))
                 );
             }
         }
@@ -233,6 +289,7 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
     Reader v(context, entry.value, entry.place, {"study.*"}, "study." + entry.key);
     read_body(context, around, v, study);
     check_refine(context, study, v.path());
+    check_only(context, study, v.path());
     check_folders(context, study, entry.value);
     const auto count = count_variants(study);
     if (count > most_variants) {

@@ -12,12 +12,6 @@ namespace suffuse::casefile {
 
 namespace {
 
-/// "20 %" and 0.2 are the same value.
-bool same_value(const Scalar& a, const Scalar& b) {
-    const std::optional<Quantity> x = quantity_of(a), y = quantity_of(b);
-    return a == b || (x && y && x->value == y->value && x->dimension == y->dimension);
-}
-
 bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) {
     return std::all_of(stage.only.begin(), stage.only.end(), [&](const Sweep& only) {
         const auto found = values.find(only.key);
@@ -28,6 +22,11 @@ bool is_chosen(const Stage& stage, const std::map<std::string, Scalar>& values) 
 }
 
 } // namespace
+
+bool same_value(const Scalar& a, const Scalar& b) {
+    const std::optional<Quantity> x = quantity_of(a), y = quantity_of(b);
+    return a == b || (x && y && x->value == y->value && x->dimension == y->dimension);
+}
 
 std::string short_name(const std::string& key) {
     return key == "fines_content" ? "fc" : key.substr(key.rfind('.') + 1);

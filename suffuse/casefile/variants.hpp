@@ -23,6 +23,9 @@ std::size_t count_variants(const Study& study);
 /// sweep is over `seed`.
 std::vector<Variant> list_variants(const Study& study, std::uint64_t seed);
 
+/// Whether two are the same value, however they are written: "20 %" and 0.2.
+bool same_value(const Scalar& a, const Scalar& b);
+
 /// The stages that run for these values, with the rows of their parents; a stage whose parent does not run starts from
 /// that one's parent.
 std::vector<Stage> chosen_stages(const std::vector<Stage>& stages, const std::map<std::string, Scalar>& values);
