@@ -69,6 +69,9 @@ py::tuple read_packing(
                 found.remembered + found.unknown, found.apart
             ));
         }
+        if (const std::optional<std::string> words = dem::words_on_cut(found, contacts->string())) {
+            taken.warnings.push_back(*words);
+        }
     }
     return py::make_tuple(std::make_shared<WorldHandle>(std::move(world)), taken.warnings);
 }

@@ -36,6 +36,15 @@ def test_contacts_go_out_and_come_back_next_to_a_packing(settled, tmp_path):
     assert len(kept) > 0.99 * len(own) and all(read[pair] == pytest.approx(own[pair], abs=1e-9) for pair in kept)
 
 
+def test_contacts_beyond_friction_are_warned_of_with_their_line(settled, tmp_path):
+    suffuse.write_packing(tmp_path / "p.vtp", settled, contacts=tmp_path / "c.csv")
+    heading, *rows = (tmp_path / "c.csv").read_text().splitlines()
+    large = [",".join([*row.split(",")[:2], "1e3", "1e3", "1e3", "0", "0", "0"]) for row in rows]
+    (tmp_path / "c.csv").write_text("\n".join([heading, *large]) + "\n")
+    with pytest.warns(UserWarning, match=r"c\.csv:\d+: the shear force of grains \d+ and \d+ is .* friction bears"):
+        suffuse.read_packing(tmp_path / "p.vtp", contacts=tmp_path / "c.csv")
+
+
 def test_an_imported_packing_knows_its_contacts_before_the_first_step(packing):
     stepped = packing.copy()
     stepped.step(1, time_step=1e-15)  # nothing moves

@@ -1,6 +1,8 @@
 #include "suffuse/dem/given_contacts.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/contact/linear_rolling.hpp"
+#include "suffuse/contact/stress.hpp"
 #include "suffuse/dem/first_contacts.hpp"
 
 #include <fmt/format.h>
@@ -51,6 +53,18 @@ void remember(World& world, std::size_t c, const GivenContact& given) {
     grains.force[second] += shear;
 }
 
+void note_cut(TakenContacts& taken, const World& world, std::size_t c, const GivenContact& given) {
+    const double push = contact::normal_force(world.grains, world.contacts, world.material, c);
+    const double limit = std::max(0.0, contact::resolve_law(world.material).tan_friction * push);
+    const double shear = norm(world.contacts.shear_force[c]), cut = std::max(0.0, shear - limit);
+    taken.borne += shear - cut;
+    taken.cut += cut;
+    taken.beyond += cut > 0 ? 1 : 0;
+    if (cut > taken.worst_cut) {
+        taken.worst = given, taken.worst_cut = cut, taken.worst_limit = limit;
+    }
+}
+
 } // namespace
 
 TakenContacts add_given_contacts(World& world, std::span<const GivenContact> given) {
@@ -67,6 +81,7 @@ TakenContacts add_given_contacts(World& world, std::span<const GivenContact> giv
         const auto found = left.find(pair);
         if (found != left.end()) {
             remember(world, c, *found->second);
+            note_cut(taken, world, c, *found->second);
             left.erase(found);
             before = pair;
             ++taken.remembered;
@@ -78,6 +93,21 @@ TakenContacts add_given_contacts(World& world, std::span<const GivenContact> giv
     }
     taken.apart = left.size();
     return taken;
+}
+
+std::optional<std::string> words_on_cut(const TakenContacts& taken, const std::string& file) {
+    constexpr double little = 0.01; // of what friction bears
+    if (taken.cut <= little * taken.borne) {
+        return {};
+    }
+    return fmt::format(
+        "{}:{}: the shear force of grains {} and {} is {:.3g} N, and friction bears {:.3g} N there; the first step "
+        "cuts "
+        "it, and those of {} of {} contacts in all. Check that forces are in N, and that `friction` is that of the "
+        "packing",
+        file, taken.worst.line, taken.worst.first, taken.worst.second, taken.worst_limit + taken.worst_cut,
+        taken.worst_limit, taken.beyond, taken.remembered
+    );
 }
 
 } // namespace suffuse::dem

@@ -7,6 +7,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/dem/step.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/packings.hpp"
@@ -77,6 +78,23 @@ TEST(GivenContacts, ForcesActOnTheGrainThatIsNamedFirst) {
     EXPECT_EQ(view.shear_force, (Vec3{0, -2, 0}));
     EXPECT_EQ(view.moment, (Vec3{0, -5, 0})) << "this material has no twisting";
     EXPECT_EQ(world.grains.force[1].y, 2);
+}
+
+TEST(GivenContacts, ShearForcesThatFrictionDoesNotBearAreNamedWithTheirLine) {
+    World own = sheared_packing(), handed = without_memory(own), other = handed;
+    std::vector<GivenContact> given = contacts_of(own);
+    EXPECT_FALSE(words_on_cut(add_given_contacts(handed, given), "c.csv")) << "as they were handed over";
+    int line = 1;
+    for (GivenContact& contact : given) {
+        contact.shear_force *= 1e3; // mN for N
+        contact.line = ++line;
+    }
+    const TakenContacts taken = add_given_contacts(other, given);
+    const std::string words = words_on_cut(taken, "c.csv").value();
+    EXPECT_EQ(words.find(fmt::format("c.csv:{}: the shear force of grains", taken.worst.line)), 0U) << words;
+    EXPECT_GT(taken.worst.line, 1);
+    EXPECT_GT(taken.beyond, taken.remembered / 2);
+    EXPECT_LT(taken.worst_limit, 0.01 * taken.worst_cut);
 }
 
 TEST(GivenContacts, PairsThatDoNotTouchAndContactsThatNobodyGivesAreCounted) {

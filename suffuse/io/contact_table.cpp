@@ -47,7 +47,7 @@ private:
     }
 
     [[nodiscard]] dem::GivenContact pair_in(std::string_view a, std::string_view b, std::size_t counted_from) const {
-        const dem::GivenContact pair{row_of(a, counted_from), row_of(b, counted_from), {}, {}};
+        const dem::GivenContact pair{row_of(a, counted_from), row_of(b, counted_from), {}, {}, reader_.number()};
         if (pair.first == pair.second) {
             reader_.complain("found a grain in contact with itself, expected two");
         }

@@ -231,6 +231,9 @@ void add_contacts(StageWork& work, const std::string& file, const std::vector<de
             plural(static_cast<std::int64_t>(taken.apart), "other pair")
         ));
     }
+    if (const std::optional<std::string> words = dem::words_on_cut(taken, file)) {
+        work.warnings.push_back(work.place() + ": " + *words);
+    }
 }
 
 } // namespace
