@@ -106,6 +106,7 @@ py::dict run_triaxial(
     spec.b = optional_value_of(key("b"), b, "b");
     spec.strain_ratio = optional_value_of(key("strain_ratio"), strain_ratio, "strain_ratio");
     spec.deviator_stress = optional_value_of(key("deviator_stress"), deviator_stress, "deviator_stress");
+    refuse_too_soft(call.world().material, spec.deviator_stress.value_or(0));
     spec.stress_ratio = optional_value_of(key("stress_ratio"), stress_ratio, "stress_ratio");
     return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress, fluid});
 }
@@ -125,6 +126,7 @@ py::dict run_stresses(
     spec.stresses.reserve(stresses.size());
     for (const Quantity& stress : stresses) {
         spec.stresses.push_back(value_of(key_of("stage.oedometer", "stresses"), stress, "stresses"));
+        refuse_too_soft(call.world().material, spec.stresses.back());
     }
     spec.strain = value_of(key_of("stage.oedometer", "strain"), strain, "strain");
     return run_test(call, spec, {inertial_number, inertia, time_step, rows, damping, mode, on_progress});

@@ -44,6 +44,29 @@ def test_laboratory_tests_return_their_numbers_and_rows(settled):
         settled.oedometer([])
 
 
+def test_what_a_test_cannot_show_is_none(settled):
+    unloaded = settled.copy().oedometer(["50 kPa"], inertial_number=3e-3)
+    assert unloaded["swelling_index"] > 0 and unloaded["k0"] is None and unloaded["compression_index"] is None
+    assert settled.copy().triaxial("0.2 %", inertial_number=3e-3)["response"]["dilatancy"] is None
+
+
+def test_an_oedometer_out_of_reach_names_its_axial_stress(settled):
+    with pytest.raises(suffuse.StateError, match="stress of 400 kPa: at 0.1.* the axial stress is .* or more `strain`"):
+        settled.copy().oedometer(["400 kPa"], strain="0.1 %", inertial_number=3e-3)
+    with pytest.raises(suffuse.CaseError, match="no contact law describes them"):
+        settled.oedometer(["40 GPa"])
+    with pytest.raises(suffuse.CaseError, match="no contact law describes them"):
+        settled.triaxial(deviator_stress="40 GPa")
+
+
+def test_grains_far_within_one_another_are_no_sample():
+    place = numpy.random.default_rng(0).random((50, 3)) * 1e-2
+    crowd = suffuse.World([1e-2] * 3, place, numpy.full(50, 3e-3))
+    for test in (crowd.triaxial, crowd.stiffness, crowd.stress_probe, lambda: crowd.oedometer([2e5])):
+        with pytest.raises(suffuse.StateError, match="overlap by .* % of the smaller radius in the mean"):
+            test()
+
+
 def test_stiffness_is_symmetric_and_below_the_mean_field(cloud, settled):
     found = settled.stiffness()
     tensor = numpy.array(found["stiffness"])

@@ -271,7 +271,7 @@ void check_own_rule(const ErodeSpec& spec, const OwnRule& rule) {
 }
 
 ErosionResult begin_erosion(const dem::World& world) {
-    dem::require_pressure(dem::mean_stress_tensor(world), "an erosion needs a skeleton");
+    dem::require_pressure(world, dem::mean_stress_tensor(world), "an erosion needs a skeleton");
     ErosionResult result;
     result.initial_mass = total_mass(world.grains);
     return result;

@@ -162,7 +162,16 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     return row;
 }
 
-[[noreturn]] void report_out_of_reach(const PathRow& row) {
+[[noreturn]] void report_out_of_reach(const TriaxialSpec& spec, const PathState& state, const PathRow& row) {
+    if (!spec.stresses.empty()) {
+        throw StateError(fmt::format(
+            "the test cannot reach the specified stress of {:.4g} kPa: at {:.3g} % axial strain the axial stress is "
+            "{:.4g} "
+            "kPa; specify one that is nearer, or more `strain`",
+            spec.stresses[static_cast<std::size_t>(state.leg)] / 1e3, 100 * row.axial_strain,
+            row.stress(spec.axis, spec.axis) / 1e3
+        ));
+    }
     throw StateError(fmt::format(
         "the test cannot reach the specified stress: at {:.3g} % axial strain the deviator stress is {:.4g} kPa (q/p = "
         "{:.3f}); specify less than the peak of this sample, or more strain",
@@ -176,7 +185,7 @@ void check_settling(
 ) {
     const PathRow row = measure_row(world, spec, state);
     if (progress(spec, row) > creep_room * std::max(spec.strain, progress(spec, state.rows.back()))) {
-        report_out_of_reach(row);
+        report_out_of_reach(spec, state, row);
     }
     if (state.balance.steps >= dem::SettleSpec{}.max_steps) {
         dem::report_not_balanced(final_loading(spec, state), balance, state.balance, "");
@@ -259,7 +268,7 @@ bool has_liquefied(const TriaxialSpec& spec, const PathState& state, const PathR
 PathState
 begin_path(dem::World& world, const TriaxialSpec& spec, const Mat3& stress, const std::optional<PoreFluid>& fluid) {
     check_spec(spec);
-    const double pressure = dem::require_pressure(stress, "a triaxial test needs a sample");
+    const double pressure = dem::require_pressure(world, stress, "a laboratory test needs a sample");
     const double q = deviator(stress, spec.axis);
     if (spec.path == Path::ConstantDeviator && !(q >= least_ratio * pressure)) {
         throw StateError(fmt::format(
@@ -344,7 +353,7 @@ bool path_burst(
     }
     const bool is_cut_short = target && !(reached && is_last);
     if (is_cut_short && (!spec.cycles || (state.leg == 0 && spec.path == Path::Drained))) {
-        report_out_of_reach(row);
+        report_out_of_reach(spec, state, row);
     }
     state.balance.steps = state.balance.balanced_steps = 0;
     give_back(world, state); // a balance is proved with the grains' own inertia

@@ -120,7 +120,7 @@ void add_mean_field(const dem::World& world, Stiffness& stiffness) {
 } // namespace
 
 RestedState rest_for_strains(const dem::World& world, const StiffnessSpec& spec, double damping, const Pulse& pulse) {
-    dem::require_pressure(dem::mean_stress_tensor(world), "stiffness needs a sample");
+    dem::require_pressure(world, dem::mean_stress_tensor(world), "stiffness needs a sample");
     const dem::BalanceSpec goal = goal_of(spec);
     LoadedSample sample{world, {}, {}, false};
     dem::lend_inertia(sample.world, grains::median_diameter(world.grains), {}, {true, true});

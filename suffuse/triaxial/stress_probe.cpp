@@ -75,7 +75,7 @@ load(const ProbedState& state, const StressProbeSpec& spec, const Vec3& incremen
 
 ProbedState rest_for_probes(const dem::World& world, const StressProbeSpec& spec, double damping, const Pulse& pulse) {
     const Mat3 carried = dem::mean_stress_tensor(world);
-    dem::require_pressure(carried, "stress probes need a sample");
+    dem::require_pressure(world, carried, "stress probes need a sample");
     const Vec3 stress = axial_stress(carried);
     const dem::BalanceSpec goal = goal_of(spec);
     LoadedSample sample{world, {}, {}, false};
