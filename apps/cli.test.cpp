@@ -84,6 +84,7 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"assess", "a.csv", "-i"}, "--gradient needs a value"},
              {{"run", "a.toml", "-o"}, "--output needs a value"},
              {{"run", "a.toml", "--time-limit", "90"}, "90min"},
+             {{"run", "a.toml", "--time-limit", "0"}, "write 90min"},
              {{"run", "a.toml", "--time-limit", "90 kPa"}, "time"},
              {{"run", "a.toml", "--time-limit", "9m"}, "for minutes write 9min"},
              {{"check", "a.toml", "--color", "red"}, "auto, always or never"},

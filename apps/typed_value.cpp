@@ -39,7 +39,8 @@ double quantity_of(const std::string& text, Dimension dimension, const std::stri
         const std::string unit = dimension == dimension::time                       ? "min"
                                  : dimension == dimension::density && value < dense ? "g/cm^3"
                                                                                     : usual_units(dimension).front();
-        throw UsageError(fmt::format("{} {} has no unit; write {}{}", flag, shown(text), shown(text), unit));
+        const std::string number = dimension == dimension::time && value <= 0 ? "90" : shown(text); // 0min is no time
+        throw UsageError(fmt::format("{} {} has no unit; write {}{}", flag, shown(text), number, unit));
     }
     try {
         return parse_quantity(text, dimension);

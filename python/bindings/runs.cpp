@@ -26,6 +26,7 @@
 #include "python/bindings/convert.hpp"
 #include "python/bindings/listener.hpp"
 #include "python/bindings/own_rule.hpp"
+#include "python/bindings/typed.hpp"
 #include <functional>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -223,8 +224,12 @@ void bind_runs(py::module_& m) {
         const SeenWorld world(w);
         return report::scene_page(title, job::scene_of_world(world, title), page_folder);
     });
-    m.def("compare_runs", [](const fs::path& first, const fs::path& second, double tolerance) {
-        const nlohmann::json found = record::compare_runs(first, second, tolerance);
+    m.def("compare_runs", [](const fs::path& first, const fs::path& second, const Quantity& tolerance) {
+        const double share = quantity_of(tolerance, dimension::none, "tolerance");
+        if (!(share >= 0 && share < 1)) {
+            throw UsageError(fmt::format("tolerance: found {}, expected 0 to below 1, as 0.02 or \"2 %\"", share));
+        }
+        const nlohmann::json found = record::compare_runs(first, second, share);
         return to_python(found);
     });
     m.def("verify_run", [](const fs::path& folder) {

@@ -22,6 +22,7 @@
 #include "python/bindings/views.hpp"
 #include "python/bindings/world_handle.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::python {
 namespace {
@@ -234,6 +235,9 @@ void bind_measures(py::class_<WorldHandle, Handle>& type) {
         "stable_time_step",
         [](const WorldHandle& w, double safety, const Quantity& damping) {
             const double given_damping = value_of(key_of("contact", "damping"), damping, "damping");
+            if (!(safety > 0 && std::isfinite(safety))) {
+                throw CaseError(fmt::format("safety: found {}, expected a number above 0", safety));
+            }
             const Reading reading(w);
             const Released released;
             return dem::stable_time_step(reading.world(), {given_damping}, safety);

@@ -384,7 +384,9 @@ class Run:
         return self
 
     def compare(self, other, tolerance=0):
-        """What differs from another run, as in `suffuse compare --json`: differences, circumstances, ..."""
+        """What differs from another run, as in `suffuse compare --json`: differences, circumstances, ...
+
+        tolerance: share up to which two numbers count as equal, as in "1 %"; below 1"""
         return _core.compare_runs(self.folder, pathlib.Path(getattr(other, "folder", other)), tolerance)
 
     def verify(self):

@@ -243,6 +243,15 @@ def test_what_a_run_has_not_is_reported_with_what_it_has(small_case, tmp_path):
         stage.world
 
 
+def test_two_runs_are_compared_up_to_a_share(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run")
+    for tolerance in (0, 0.01, "1 %"):
+        assert run.compare(run, tolerance=tolerance)["differences"] == []
+    for tolerance in (-1, 1, float("nan"), "100 %", "1 mm", None):
+        with pytest.raises(ValueError, match="tolerance"):
+            run.compare(run, tolerance=tolerance)
+
+
 def test_what_is_damaged_is_not_read(small_case, tmp_path):
     run = suffuse.Case(small_case).run(tmp_path / "run")
 

@@ -341,6 +341,12 @@ def test_what_only_looks_leaves_the_world_and_its_rows_as_they_are(packing, tmp_
     assert packing.hash == known and (packing.grains.id == ids).all() and pickle.dumps(packing) == before
 
 
+@pytest.mark.parametrize("safety", [-1, 0, float("nan"), float("inf")])
+def test_a_time_step_has_a_safety_above_zero(packing, safety):
+    with pytest.raises(suffuse.CaseError, match="safety: found"):
+        packing.stable_time_step(safety)
+
+
 def test_constants_out_of_their_range_are_refused():
     material = suffuse.Material()
     for name, wrong in (("friction", 30), ("modulus", -1), ("shear_ratio", 0), ("adhesion_normal", "-1 MPa")):

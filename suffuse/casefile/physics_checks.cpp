@@ -138,7 +138,7 @@ public:
     }
 
     /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
-    /// follow from it. What is probed may come from elsewhere with its contacts; a cloud has none.
+    /// follow from it. What comes from elsewhere brings one with the forces of its contacts; a cloud has none.
     void check_start(const Stage& stage) {
         const Needs needs = traits_of(stage).needs;
         if (stage.parent < 0 || needs == Needs::Nothing) {
@@ -146,14 +146,17 @@ public:
         }
         const Stage& before = variant_.stages[static_cast<std::size_t>(stage.parent)];
         const Origin origin = traits_of(before).origin;
-        if (origin == Origin::Soil || (origin == Origin::File && needs == Needs::Stress)) {
+        const auto* const import = std::get_if<ImportSpec>(&before.spec);
+        const bool lacks_forces = import != nullptr && import->contacts.empty() && needs == Needs::Stress;
+        if (origin == Origin::Soil || lacks_forces) {
             context_.problems.error(
                 "E608", stage_place(stage, "do"),
                 fmt::format(
                     "stage \"{}\" starts from the sample of stage \"{}\", which carries no stress yet", stage.name,
                     before.name
                 ),
-                "compact or settle it under a pressure first"
+                lacks_forces ? "settle it under a pressure first, or name the file of its `contacts`"
+                             : "compact or settle it under a pressure first"
             );
         }
     }

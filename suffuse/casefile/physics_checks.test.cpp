@@ -89,10 +89,14 @@ TEST(PhysicsChecks, TestsAndErosionNeedASampleThatCarriesAStress) {
 [[study.one.stage]]
 name = "packing"
 do = "import"
-path = "packing.csv"
+packing = "packing.csv"
 cell = ["1 cm", "1 cm", "1 cm"]
 )";
-    EXPECT_EQ(find_problem(problems_of(import + test), "E608").line, 9);
+    const Diagnostic found = find_problem(problems_of(import + test), "E608");
+    EXPECT_EQ(found.line, 9);
+    EXPECT_NE(found.help.find("`contacts`"), std::string::npos);
+    const std::string forces = "contacts = \"contacts.csv\"\n";
+    EXPECT_EQ(find_problem(problems_of(import + forces + test), "E608").code, "") << "it brings its shear forces";
     const std::string probe = "[[study.one.stage]]\nname = \"x\"\ndo = \"detach\"\n";
     EXPECT_EQ(find_problem(problems_of(import + probe), "E608").code, ""); // it may carry its contacts
     for (const std::string verb : {"detach", "erode", "remove"}) {

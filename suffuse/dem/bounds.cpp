@@ -137,8 +137,15 @@ void check_room(const World& world) {
 
 MotionBefore look_before(const World& world, bool is_new) {
     MotionBefore before;
+    const FastGrain fastest = fastest_grain(world);
+    if (std::isnan(fastest.speed)) { // check_motion does not let a step leave it so
+        throw StateError(fmt::format(
+            "the position, velocity or spin of grain {} is not a number before the first step: it was set to that",
+            world.grains.id[fastest.grain]
+        ));
+    }
     const double in_springs = speed_in_springs(world, is_new ? find_first_contacts(world) : world.contacts);
-    before.speed = std::max(fastest_grain(world).speed, in_springs);
+    before.speed = std::max(fastest.speed, in_springs);
     if (!is_new) {
         before.stress = world.servo.stress;
     }

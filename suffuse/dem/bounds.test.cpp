@@ -3,9 +3,11 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/dem/stable_dt.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/support/worlds.hpp"
+#include <limits>
 
 namespace suffuse::dem {
 namespace {
@@ -92,6 +94,18 @@ TEST(MotionBound, EndsABurstWhoseStepIsTooLong) {
     EXPECT_NO_THROW(advance(calm, caches, test::plan_of(0.95 * limit), 500));
     StepCaches others;
     EXPECT_THROW(advance(world, others, test::plan_of(1.1 * limit), 50), StateError);
+}
+
+TEST(MotionBound, NamesTheGrainThatSomebodySetToNoNumber) {
+    World world = test::two_grains(radius, radius, 1e-3 * radius, {});
+    world.grains.velocity[1].z = std::numeric_limits<double>::quiet_NaN();
+    StepCaches caches;
+    try {
+        advance(world, caches, test::plan_of(1e-9), 50);
+        FAIL();
+    } catch (const StateError& error) {
+        expect_in(error.what(), fmt::format("velocity or spin of grain {} is not a number", world.grains.id[1]));
+    }
 }
 
 } // namespace

@@ -191,7 +191,8 @@ private:
         if (low_.void_ratio < target_ && target_ < high_.void_ratio) {
             throw StateError(fmt::format(
                 "the void ratio {:.4f} was not met within {} after {} compactions; the nearest is {:.4f}: widen "
-                "void_ratio_tolerance, take more grains, or take the nearest with if_unreachable = \"nearest\"",
+                "void_ratio_tolerance, take more grains, or in a case take the nearest with if_unreachable = "
+                "\"nearest\"",
                 target_, wanted_.void_ratio_tolerance, trials_.size(), nearest.void_ratio
             ));
         }
@@ -200,7 +201,7 @@ private:
         throw StateError(fmt::format(
             "the void ratio {:.4f} cannot be reached at {:.4g} kPa: this sample goes from {:.4f} (frictionless) to "
             "{:.4f} (final friction with adhesion {:.3g} Pa) during compaction; specify a value in between, more "
-            "adhesion, or take the nearest with if_unreachable = \"nearest\"",
+            "adhesion, or in a case take the nearest with if_unreachable = \"nearest\"",
             target_, wanted_.pressure / 1e3, densest, loosest,
             wanted_.prepare.adhesion_normal.value_or(default_adhesion)
         ));

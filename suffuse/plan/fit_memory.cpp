@@ -24,7 +24,7 @@ std::string two_digits_up(double bytes) {
     const auto fitting = static_cast<std::int64_t>(fit);
     throw IoError(fmt::format(
         "stage {}/{} needs up to {} of memory for its {} grains, and the run may use {}; {}run it on a machine that "
-        "has more, or let it use more (--memory {})",
+        "has more, or let it use more (--memory {}; memory= in Python)",
         greediest.study, greediest.stage, size_text(plan.memory), count_text(greediest.grains), size_text(bytes),
         fitting > 0 ? fmt::format("lower `particles` (about {} fit), ", count_text(fitting)) : "",
         two_digits_up(plan.memory)

@@ -114,7 +114,9 @@ private:
         } catch (const std::bad_alloc&) {
             fail(
                 run, "memory",
-                "out of memory; suffuse plan CASE shows how much a case needs, --memory limits what a run may use"
+                "out of memory; suffuse plan CASE shows how much a case needs, --memory (memory= in Python) limits "
+                "what a "
+                "run may use"
             );
         } catch (...) {
             overview_.break_off();
