@@ -40,6 +40,15 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"ended", std::ranges::all_of(migration.result.holds, &erosion::MigrationHold::ended)}};
 }
 
+/// What had entered with the water by the end of a hold [kg].
+double fed_until(const erosion::MigrationResult& result, const erosion::MigrationHold& hold) {
+    double fed = 0;
+    for (const erosion::MigrationRow& row : result.rows) {
+        fed = row.gradient == hold.gradient ? std::max(fed, row.fed_mass) : fed;
+    }
+    return fed;
+}
+
 } // namespace
 
 nlohmann::json migration_numbers(const erosion::Migration& migration) {
@@ -80,10 +89,13 @@ std::vector<std::string> migration_remarks(const erosion::Migration& migration, 
     const std::vector<erosion::MigrationHold>& holds = migration.result.holds;
     const auto cut = std::ranges::find_if(holds, [](const erosion::MigrationHold& hold) { return !hold.ended; });
     if (cut != holds.end()) {
+        const auto cuts = std::ranges::count(holds, false, &erosion::MigrationHold::ended);
+        const double fines = migration.result.fines_mass, fed = fed_until(migration.result, *cut);
         remarks.push_back(fmt::format(
-            "at i = {:.3g} motion had not ended after {:.3g} s: {:.2g} % of the fines' mass still moved, and what "
+            "at i = {:.3g}{} motion had not ended after {:.3g} s: {:.2g} % of the fines' mass{} still moved, and what "
             "erodes from there on is a lower bound; a longer `hold_at_most` holds it longer",
-            cut->gradient, cut->held_for, 100 * cut->moving_mass_share
+            cut->gradient, cuts > 1 ? fmt::format(", the first of {} such gradients,", cuts) : "", cut->held_for,
+            100 * cut->moving_mass_share * fines / (fines + fed), fed > 0 ? ", with what the water brought," : ""
         ));
     }
     if (holds.size() < spec.gradients.size() && holds.back().held_for > 0 && !holds.back().ended) {
