@@ -55,10 +55,11 @@ std::string report_text(const fs::path& report) {
     return fmt::format("{}   ({}, opens offline)", report.string(), size_text(static_cast<double>(bytes)));
 }
 
-/// "Planned 21-65 s, took 55 s.": stages together, which end sooner where samples run side by side.
+/// Of stages one after the other; samples side by side end sooner, as the plan at the start says.
 std::string plan_error_text(const plan::PlanError& error) {
     return fmt::format(
-        "Planned {}, took {}.", duration_range_text(error.planned_seconds), duration_text(error.seconds)
+        "Planned {}, took {}, all stages together.", duration_range_text(error.planned_seconds),
+        duration_text(error.seconds)
     );
 }
 

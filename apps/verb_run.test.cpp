@@ -66,6 +66,9 @@ TEST_F(Cli, ARunGoesOnlyWhereNothingIsOverwritten) {
     const std::string page = read_all(folder / "here/report.html");
     EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos) << "it was requested to end there";
     expect_in("The run ended with stage start, as requested", page);
+    expect_in(
+        "the run ended with stage start, as requested; 3 of 4 stages are missing", run_suffuse({"verify", "here"}).out
+    );
     EXPECT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here"}).code, 0); // the same case goes on
     EXPECT_TRUE(nlohmann::json::parse(read_all(folder / "here/summary.json")).at("until").is_null());
     EXPECT_TRUE(std::filesystem::exists(folder / "here/studies/replay/seep/stage.json"));

@@ -2,6 +2,7 @@
 
 #include "suffuse/base/amounts.hpp"
 #include "suffuse/base/shell_word.hpp"
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/verify_calibration.hpp"
 #include "suffuse/record/checksums.hpp"
@@ -68,9 +69,11 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
         unverified(found.unverified.size(), found.stages)
     ));
     if (!is_complete) {
-        console.result(
-            fmt::format("{}; continue with suffuse resume {}", describe_missing(found.missing), shell_word(run))
-        );
+        console.result(fmt::format(
+            "{}{}; continue with suffuse resume {}",
+            found.until.empty() ? "" : fmt::format("the run ended with stage {}, as requested; ", shown(found.until)),
+            describe_missing(found.missing), shell_word(run)
+        ));
     }
     for (const std::string& name : found.more) {
         console.detail("came later: " + name);

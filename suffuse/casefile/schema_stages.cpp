@@ -137,7 +137,8 @@ std::vector<Key> preparation_rows() {
             ),
             other(
                 "stage.import", "cell", "three lengths, or a 3 x 3 matrix whose columns are the cell vectors",
-                "The periodic cell; needed unless the file carries it, as LAMMPS, extended XYZ and our .vtp files do."
+                "The periodic cell; needed unless the file carries it, as LAMMPS, extended XYZ and .vtp of `suffuse "
+                "export` do."
             ),
             quantity(
                 "stage.import", "unit", dimension::length, above_zero,

@@ -82,6 +82,7 @@ ListedRun describe(const fs::path& run) {
     listed.state = state_of(run, summary);
     listed.samples = value_or(samples, "total", 0);
     listed.done = value_or(samples, "done", 0);
+    listed.until = value_or(summary, "until", std::string());
     listed.seconds = value_or(provenance, "wall_seconds", 0.0);
     listed.finished = value_or(provenance, "finished", std::string());
     listed.commit = value_or(provenance, "commit", std::string());
@@ -184,7 +185,8 @@ std::string text_of(const std::vector<ListedRun>& runs, std::size_t width) {
         std::string ended = run.finished.substr(0, 16);
         std::ranges::replace(ended, 'T', ' ');
         rows.push_back(
-            {run.name, run.state, fmt::format("{}/{}", run.done, run.samples),
+            {run.name, run.state,
+             fmt::format("{}/{}{}{}", run.done, run.samples, run.until.empty() ? "" : " until ", run.until),
              run.seconds > 0 ? duration_text(run.seconds) : "", ended}
         );
     }
@@ -222,6 +224,7 @@ json json_of(const std::vector<ListedRun>& runs) {
              {"kind", run.is_calibration ? "calibration" : "run"},
              {"state", run.state},
              {"samples", {{"total", run.samples}, {"done", run.done}}},
+             {"until", run.until.empty() ? json() : json(run.until)},
              {"wall_seconds", run.seconds},
              {"finished", run.finished},
              {"commit", run.commit},

@@ -18,6 +18,7 @@ struct ListedRun {
     std::string finished;             ///< of the last call, in UTC; empty where none has ended
     std::string commit;               ///< of the program that wrote it
     std::vector<std::string> verdict; ///< as its report opens
+    std::string until;                ///< the stage that its samples were to end with; empty: their last
     bool is_calibration = false;      ///< its samples are those of all rounds
 };
 

@@ -79,6 +79,15 @@ TEST(RunList, IsATableThatKeepsToItsWidthAndADocumentThatKeepsAll) {
     EXPECT_NE(text_of(runs, 60).find("…"), std::string::npos);
     EXPECT_EQ(json_of(runs).at(0).at("verdict").at(0), "Water carries out a-0001.");
     EXPECT_EQ(json_of(runs).at(0).at("samples").at("total"), 3);
+    EXPECT_TRUE(json_of(runs).at(0).at("until").is_null());
+}
+
+TEST(RunList, SaysWithWhichStageARunWasToEnd) {
+    const test::TempFolder folder;
+    add_run(folder, "a", "2026-01-02T10:00:00Z", 5, {{"until", "initial"}, {"missing_stages", {"s/erosion"}}});
+    const std::vector<ListedRun> runs = list_runs(folder.path(), RunOrder::Name);
+    EXPECT_NE(text_of(runs, 200).find("a    done   2/3 until initial  5.0 s"), std::string::npos) << text_of(runs, 200);
+    EXPECT_EQ(json_of(runs).at(0).at("until"), "initial");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "suffuse/plan/plan_record.hpp"
 
 #include "suffuse/base/quantile.hpp"
+#include "suffuse/plan/sum_ranges.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/stored.hpp"
 
@@ -72,6 +73,7 @@ void keep_plan(const std::filesystem::path& run, const RunPlan& plan) {
 std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& outcomes) {
     PlanError found;
     std::vector<double> steps, seconds;
+    std::vector<Range> planned;
     for (const StageOutcome& stage : outcomes) {
         if (stage.steps > 0) {
             steps.push_back(error_of(stage.planned_steps, stage.steps));
@@ -80,7 +82,7 @@ std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& out
             continue;
         }
         seconds.push_back(error_of(stage.planned_seconds, stage.seconds));
-        found.planned_seconds += stage.planned_seconds;
+        planned.push_back(stage.planned_seconds);
         found.seconds += stage.seconds;
     }
     if (seconds.empty()) {
@@ -89,6 +91,7 @@ std::optional<PlanError> measure_plan_error(const std::vector<StageOutcome>& out
     found.stages = static_cast<int>(seconds.size());
     found.of_steps = steps.empty() ? 0 : quantile(std::move(steps), 0.5); // a flow makes none
     found.of_seconds = quantile(std::move(seconds), 0.5);
+    found.planned_seconds = sum_ranges(planned); // as the plan itself sums them
     found.of_all_seconds = error_of(found.planned_seconds, found.seconds);
     return found;
 }

@@ -267,6 +267,12 @@ Verification verify_run(const fs::path& run) {
     if (what) {
         found.missing = find_missing_stages(*what, run);
     }
+    if (const fs::path summary = run / "summary.json"; !broken.contains("summary.json") && fs::exists(summary)) {
+        take_from(summary, [&, kept = read_json(summary)] {
+            const auto until = kept.find("until");
+            found.until = until == kept.end() || until->is_null() ? "" : until->get<std::string>();
+        });
+    }
     for (const auto& [name, sum] : sums) {
         const fs::path file = name;
         const std::string state = (file.parent_path() / "state.h5").string();

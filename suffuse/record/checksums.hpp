@@ -47,6 +47,7 @@ struct Verification {
     std::vector<Damage> damages;
     std::vector<std::string> more; ///< files that came after the checksums
     MissingStages missing;         ///< stages that the case has and the folder has not
+    std::string until;             ///< the stage that the run was to end with, where it did; else empty
 };
 
 /// Checks every file against its checksum and that of its stage, and every state against the hash in its stage.json.
