@@ -76,8 +76,7 @@ const CLI::App& innermost(const CLI::App& app) {
         if (std::error_code none; std::filesystem::is_regular_file(word, none)) {
             throw UsageError(fmt::format(
                 "unknown verb {}: it is a file. A grading: suffuse assess {}, or suffuse new DIR --psd {}; a case: "
-                "suffuse "
-                "run {}",
+                "suffuse run {}",
                 shown(word), shell_word(word), shell_word(word), shell_word(word)
             ));
         }

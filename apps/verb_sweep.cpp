@@ -37,8 +37,7 @@ struct SweepVerb final : Verb {
     void check() const override {
         if (emitted.engine.empty() && collected.empty()) {
             throw UsageError("sweep: --emit slurm or another engine with a case, or --collect DIR; suffuse run CASE "
-                             "runs all samples "
-                             "on this machine");
+                             "runs all samples on this machine");
         }
         emitted.check();
     }

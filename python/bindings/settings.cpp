@@ -201,8 +201,7 @@ void take_axes(const py::object& given, cell::Control control, cell::Loading& lo
             if (std::exchange(taken[a], true)) {
                 throw CaseError(fmt::format(
                     "loading: axis {} has a stress and a strain rate; None in one of them leaves it to the other, as "
-                    "in "
-                    "strain_rate=(None, None, 10), stress=(1e5, 1e5, None)",
+                    "in strain_rate=(None, None, 10), stress=(1e5, 1e5, None)",
                     a + 1
                 ));
             }

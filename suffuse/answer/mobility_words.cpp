@@ -235,8 +235,7 @@ std::string compare_with_heave_of_fines(const MobilityStory& story) {
     }
     return fmt::format(
         "The seepage force on all fines outweighs them at {} (FC i_c/s, s = {:.2f}: the share of the force that acts "
-        "on "
-        "them).",
+        "on them).",
         gradient_text(story.fines_heave), story.one().drag_share
     );
 }

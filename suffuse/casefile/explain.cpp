@@ -115,8 +115,7 @@ constexpr std::array code_table = {
     Code{
         "W604", "above the critical gradient",
         "Upward seepage at this gradient would lift the whole soil; without [gravity] grains have no weight, and with "
-        "it "
-        "the coarse ones are held."},
+        "it the coarse ones are held."},
     Code{
         "E605", "no fines, or nothing else",
         "Erosion needs to know which grains are fine. With [gravity] a `detach` or `erode` stage finds which fines "
@@ -180,13 +179,11 @@ constexpr std::array code_table = {
     Code{
         "E619", "a layer that is too thin, or a stack that is too narrow",
         "A layer of a stack, and the cell across the layers, have at least three of the largest grains: in less a "
-        "grain "
-        "meets its own image, and a filter has no depth in which a base could stop."},
+        "grain meets its own image, and a filter has no depth in which a base could stop."},
     Code{
         "E620", "a filter finer than its base",
         "`layers` of a pack stand in the order of the flow. Each has a median size of at least that of the layer "
-        "before "
-        "it: what is finer holds everything, and filters nothing."},
+        "before it: what is finer holds everything, and filters nothing."},
     Code{
         "E621", "a stage that has no meaning in layers",
         "In a stack the first layer is the base: `migrate` moves its grains into the layers that follow, which are "

@@ -194,8 +194,8 @@ std::vector<Key> general_rows() {
 
 std::vector<Key> soil_and_study_rows() {
     const std::string_view psd = "a CSV file; { file = \"soil.csv\", size = \"1:um\", share = \"2\" } names its "
-                                 "columns as the flags of `assess` "
-                                 "do; or { d = [\"0.1 mm\", ...], passing = [\"0 %\", ...] }";
+                                 "columns as the flags of `assess` do; or { d = [\"0.1 mm\", ...], passing = [\"0 %\", "
+                                 "...] }";
     Key fines_auto = choice(
         "soil.*", "fines_auto", {"kenney-lau", "none"},
         "Also reports Kenney and Lau's split into coarse and fine, without using it."

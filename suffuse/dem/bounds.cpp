@@ -112,8 +112,7 @@ void check_strain_of_step(const cell::Loading& loading, double dt) {
     if (rate * dt > most_strain_of_step) {
         throw StateError(fmt::format(
             "a rate of {:.3g} 1/s strains the cell by {:.3g} in one step of {:.2e} s, and grains would pass through "
-            "each "
-            "other: take {:.2g} 1/s at most, or a shorter time step",
+            "each other: take {:.2g} 1/s at most, or a shorter time step",
             rate, rate * dt, dt, most_strain_of_step / dt
         ));
     }

@@ -40,8 +40,7 @@ double require_pressure(const World& world, const Mat3& stress, std::string_view
     if (const double overlap = mean_overlap(world); overlap > most_overlap) {
         throw StateError(fmt::format(
             "{} of grains that touch, and those of this one overlap by {:.0f} % of the smaller radius in the mean, at "
-            "a "
-            "void ratio of {:.2g}: check that radii are not diameters and that the cell is theirs; a cloud that is "
+            "a void ratio of {:.2g}: check that radii are not diameters and that the cell is theirs; a cloud that is "
             "compacted has no such overlaps",
             who_needs_it, 100 * overlap, void_ratio(world)
         ));

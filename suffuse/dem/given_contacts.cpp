@@ -102,9 +102,8 @@ std::optional<std::string> words_on_cut(const TakenContacts& taken, const std::s
     }
     return fmt::format(
         "{}:{}: the shear force of grains {} and {} is {:.3g} N, and friction bears {:.3g} N there; the first step "
-        "cuts "
-        "it, and those of {} of {} contacts in all. Check that forces are in N, and that `friction` is that of the "
-        "packing",
+        "cuts it, and those of {} of {} contacts in all. Check that forces are in N, and that `friction` is that of "
+        "the packing",
         file, taken.worst.line, taken.worst.first, taken.worst.second, taken.worst_limit + taken.worst_cut,
         taken.worst_limit, taken.beyond, taken.remembered
     );

@@ -75,8 +75,7 @@ double exit_of(const Stack& stack, const MigrateSpec& spec) {
     if (exit <= stack.base_thickness()) {
         throw StateError(fmt::format(
             "exit: {:.4g} m after the water enters the base the base has not ended, which is {:.4g} m thick; take "
-            "more, "
-            "or leave `exit` out: base grains leave at the end of the filter",
+            "more, or leave `exit` out: base grains leave at the end of the filter",
             exit, stack.base_thickness()
         ));
     }

@@ -214,8 +214,8 @@ std::optional<Figure> calibration_fits(const std::vector<CalibratedCurve>& curve
                                     "scatter included. These tests "
                                     "were not fitted."
                                   : "Lines: the model at the likeliest parameters, by its emulator. Bands: 90 % of the "
-                                    "error of the emulator, which "
-                                    "has the scatter between samples in it. q is over the pressure at the start.";
+                                    "error of the emulator, which has the scatter between samples in it. q is over the "
+                                    "pressure at the start.";
     return figure;
 }
 
@@ -258,8 +258,7 @@ std::optional<Figure> calibration_misfits(
     figure.chart["spec"]["height"] = 140;
     figure.caption = fmt::format(
         "A point a sample: root mean square of model minus laboratory, over the largest measured value. Where points "
-        "of one "
-        "height reach over the whole range, the test says little about that parameter alone.{}",
+        "of one height reach over the whole range, the test says little about that parameter alone.{}",
         failed > 0 ? fmt::format(" {} samples failed and have no point.", failed) : ""
     );
     return figure;

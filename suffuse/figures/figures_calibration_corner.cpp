@@ -142,8 +142,7 @@ calibration_corner(const std::vector<CalibratedParameter>& all, const std::vecto
     figure.chart = {{"vconcat", std::move(rows)}, {"spacing", 8}};
     figure.caption = fmt::format(
         "{} of {} equally likely sets of parameters; all are in posterior.csv. On the diagonal: how often each value "
-        "occurs. "
-        "A narrow slanted cloud: the two parameters replace each other.{}",
+        "occurs. A narrow slanted cloud: the two parameters replace each other.{}",
         drawn.size(), posterior.size(),
         count < all.size() ? fmt::format(" The first {} of {} parameters.", count, all.size()) : ""
     );

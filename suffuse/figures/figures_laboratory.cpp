@@ -255,8 +255,7 @@ std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests) {
                                  {"double_amplitude", "largest double amplitude of ε₁"}}
                      )) +
                      ". From above: path of effective stress, loops of stress and strain, pore pressure. The total "
-                     "lateral stress is "
-                     "constant." +
+                     "lateral stress is constant." +
                      words_on_water(tests);
     return figure;
 }

@@ -162,10 +162,8 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
         "and 10 % of their mass decide; what is below 0.1 % is drawn there. Where motion had not ended when the "
-        "gradient "
-        "rose, a triangle marks a lower bound. Coarse grains and the {:.0f} % of the "
-        "fines "
-        "that carry the skeleton's forces are held.{}",
+        "gradient rose, a triangle marks a lower bound. Coarse grains and the {:.0f} % of the fines that carry the "
+        "skeleton's forces are held.{}",
         100 * main->one().load_bearing_mass_share,
         drawn > most_mobility_curves ? fmt::format(" The first {} of {} samples.", most_mobility_curves, drawn) : ""
     );

@@ -168,9 +168,7 @@ std::optional<Figure> compared_with_twin(const erosion::ErosionResult& erosion) 
                        : "No fine grain is detachable";
     figure.caption = fmt::format(
         "{}. On the dashed diagonal a grain moves as it would without water: the residual unbalanced forces move it. "
-        "At "
-        "most "
-        "{} grains of a group are drawn; one at rest is drawn on the axis.",
+        "At most {} grains of a group are drawn; one at rest is drawn on the axis.",
         as_sentence(fmt::format("{}", fmt::join(reported, "; "))), most_twins / 3
     );
     figure.table.add("panel", std::move(columns.panel));

@@ -203,8 +203,7 @@ std::optional<double> whole_mass(const SievedSoil& soil, double last, Problems& 
             "E504", soil.end,
             fmt::format(
                 "sieves and pan hold {:.6g} g of a stated dry mass of {:.6g} g: was the rest washed away, or the "
-                "sample "
-                "split?",
+                "sample split?",
                 1e3 * *held, 1e3 * *soil.dry
             ),
             "add a line `loss by washing` with its mass, or leave the stated mass out"

@@ -64,8 +64,7 @@ constexpr std::array readers{
     PackingReader{
         "LAMMPS data, `atom_style sphere`, or `hybrid` that begins with it", "a line with a number and `atoms`",
         "`Atoms` (id, type, diameter, density, x, y, z, perhaps three images), `Velocities`; other sections are "
-        "skipped "
-        "with a warning; density and images are not used",
+        "skipped with a warning; density and images are not used",
         "its box, sheared too, also `avec bvec cvec` and `abc origin`; the file does not say whether it is periodic",
         false, looks_like_lammps, [](const Source& s) { return parse_lammps(s.file, s.text, s.density, s.radius); }},
     PackingReader{

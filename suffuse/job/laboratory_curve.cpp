@@ -166,8 +166,7 @@ void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
         if (most > steepest * target.pressure) {
             readings.complain(fmt::format(
                 "reaches q = {:.4g} kPa, {:.3g} times the `pressure` of {:.4g} kPa: no soil without cohesion bears "
-                "that; "
-                "write the lateral stress of this test",
+                "that; write the lateral stress of this test",
                 most / 1e3, most / target.pressure, target.pressure / 1e3
             ));
         }

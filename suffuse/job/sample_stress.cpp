@@ -81,8 +81,7 @@ SampleStress read_sample_stress(const fs::path& run, const std::string& soil) {
     if (alphas.empty()) {
         throw StateError(fmt::format(
             "{}: no sample{} has fines that were under stress, and alpha, the share of the stress that fines carry, is "
-            "of "
-            "such a sample; take a run whose soil says which grains are fine, and that has compacted it",
+            "of such a sample; take a run whose soil says which grains are fine, and that has compacted it",
             run.string(), soil.empty() ? "" : fmt::format(" of the soil \"{}\"", soil)
         ));
     }

@@ -24,8 +24,7 @@ void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const Te
     if (is_close(1.0 / 3, 0)) {
         review.decided(fmt::format(
             "\"{0}\" is \"{1}\" + \"{2}\"/3: \"{2}\" is axial minus radial stress, and \"{0}\" is effective where "
-            "\"{1}\" "
-            "is",
+            "\"{1}\" is",
             p.heading, radial.heading, q.heading
         ));
         if (!p.is_effective) {
@@ -46,8 +45,7 @@ void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const Te
         return;
     }
     review.refuse(fmt::format(
-        "columns \"{}\", \"{}\" and \"{}\" contradict one another{}; expected p = radial stress + q/3 with q = "
-        "axial "
+        "columns \"{}\", \"{}\" and \"{}\" contradict one another{}; expected p = radial stress + q/3 with q = axial "
         "minus radial stress",
         p.heading, q.heading, radial.heading,
         is_close(1, 0) ? ": they are s and t of the Massachusetts Institute of Technology, half the sum and half the "
@@ -124,8 +122,7 @@ void settle_by_slope(const RecordReview& review, const TestColumn& p, const Test
     } else if (is_drained && std::abs(slope - 1) <= tolerance) {
         review.refuse(fmt::format(
             "\"{}\" rises by 1 with \"{}\": they may be half the difference and half the sum of axial and radial "
-            "stress, t "
-            "and s; write q = 2 t and p = s - t/3",
+            "stress, t and s; write q = 2 t and p = s - t/3",
             q.heading, p.heading
         ));
     } else {
@@ -141,8 +138,7 @@ void settle_effective(const RecordReview& review, TestColumn& stress) {
     }
     if (review.record.find(Quantity::PorePressure) != nullptr) {
         review.refuse(fmt::format(
-            "column \"{0}\" may be effective or total, as there is a pore pressure; write \"effective {0}\" or "
-            "\"total "
+            "column \"{0}\" may be effective or total, as there is a pore pressure; write \"effective {0}\" or \"total "
             "{0}\"",
             stress.heading
         ));

@@ -65,8 +65,7 @@ void check_time(const RecordReview& review) {
         for (std::size_t k = test.begin + 1; k < test.end; ++k) {
             if (time->values[k] < time->values[k - 1]) {
                 review.refuse(fmt::format(
-                    "test \"{}\": the time of reading {} is before that of the reading above; sort the rows, or "
-                    "name "
+                    "test \"{}\": the time of reading {} is before that of the reading above; sort the rows, or name "
                     "the tests in a column \"test\"",
                     shown(test.name), k - test.begin + 1
                 ));

@@ -47,8 +47,7 @@ std::string_view other_way(const dem::World& world, const CompactSpec& spec, std
     if (dem::mean_stress(state.balance.stress) > carried * spec.pressure) {
         throw StateError(fmt::format(
             "the sample carries {:.4g} of {:.4g} kPa after {} steps, and its grains do not come to rest, unbalanced "
-            "force "
-            "{:.1e}: a higher pressure or softer grains press them together more, {}",
+            "force {:.1e}: a higher pressure or softer grains press them together more, {}",
             dem::mean_stress(state.balance.stress) / 1e3, spec.pressure / 1e3, state.steps,
             state.balance.equilibrium.unbalanced_force,
             other_way(
@@ -99,8 +98,7 @@ void go_to_start(dem::World& world, const CompactSpec& spec, CompactState& state
         if (!clear && !swift) {
             throw StateError(fmt::format(
                 "a porosity of {:.3f} to start from is denser than grains can be pushed together without overlaps; "
-                "give a "
-                "larger one",
+                "give a larger one",
                 *start
             ));
         }

@@ -42,10 +42,8 @@ std::string words_on_stiffness(const triaxial::Stiffness& stiffness, const triax
     if (stiffness.nonlinearity > triaxial::elastic_within) {
         return fmt::format(
             "the moduli by a strain of {:.1e} and by half of it differ by {:.2g} % of the largest (at most {:.0f} %): "
-            "the "
-            "strain is outside the elastic range, or grains found another place during it; take a smaller increment, "
-            "or a "
-            "smaller unbalanced_force",
+            "the strain is outside the elastic range, or grains found another place during it; take a smaller "
+            "increment, or a smaller unbalanced_force",
             spec.increment, 100 * stiffness.nonlinearity, 100 * triaxial::elastic_within
         );
     }

@@ -65,8 +65,7 @@ Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
         criterion.verdict = Verdict::CannotSay;
         criterion.remark = fmt::format(
             "alpha (mean effective stress in the fines / in the soil) is unknown; the fines stay in place only if "
-            "alpha "
-            ">= {:.3g}",
+            "alpha >= {:.3g}",
             seepage.gradient / whole
         );
     }

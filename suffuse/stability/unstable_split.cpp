@@ -53,8 +53,7 @@ std::string no_split_text(const grains::Grading& measured) {
     const auto gap = find_gap(measured);
     return fmt::format(
         "no split of {} is unstable: {}, H/F is at least {:.2g} (Kenney and Lau 1986: 1), D15c/d85f at most {:.2g} up "
-        "to "
-        "{:.0f} % of fines (Kezdi 1979: 4){}",
+        "to {:.0f} % of fines (Kezdi 1979: 4){}",
         is_open(measured) ? "what was measured of this curve" : "this curve",
         gap ? fmt::format("{:.2g} % are below its gap, too many for a skeleton above it", 100 * gap->finer)
             : "it has no gap",

@@ -166,8 +166,7 @@ PathRow measure_row(const dem::World& world, const TriaxialSpec& spec, const Pat
     if (!spec.stresses.empty()) {
         throw StateError(fmt::format(
             "the test cannot reach the specified stress of {:.4g} kPa: at {:.3g} % axial strain the axial stress is "
-            "{:.4g} "
-            "kPa; specify one that is nearer, or more `strain`",
+            "{:.4g} kPa; specify one that is nearer, or more `strain`",
             spec.stresses[static_cast<std::size_t>(state.leg)] / 1e3, 100 * row.axial_strain,
             row.stress(spec.axis, spec.axis) / 1e3
         ));
