@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace suffuse::erosion {
 namespace {
@@ -217,6 +216,7 @@ void settle_skeleton(Migration& migration, const MigrateSpec& spec, const Surrou
         }
     }
     next.settles = false;
+    next.pores.reset();
     migration = std::move(next);
 }
 
@@ -233,15 +233,13 @@ bool is_cut(const Migration& migration, const MigrateSpec& spec) {
     return migration.result.holds.back().held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
 }
 
-/// Until motion is looked at, or a limit ends the hold [s].
+/// Until motion is looked at, or a limit ends the hold. A limit that is due a little before the look waits for it [s].
 double longest_leg(const Migration& migration, const MigrateSpec& spec) {
-    double left = migration.looked + spec.still_for - migration.time;
-    for (const double limit :
-         {spec.hold_at_most - migration.result.holds.back().held_for,
-          spec.time_at_most.value_or(std::numeric_limits<double>::infinity()) - migration.time}) {
-        left = limit < left * nearly_whole ? limit : left; // the same to the bit where both are due
-    }
-    return left;
+    constexpr double soon = 0.1; // of `still_for`: steps go a little beyond each look
+    const double look = migration.looked + spec.still_for - migration.time;
+    const double hold = spec.hold_at_most - migration.result.holds.back().held_for;
+    const double limit = spec.time_at_most ? std::min(hold, *spec.time_at_most - migration.time) : hold;
+    return limit < look - soon * spec.still_for ? limit : look;
 }
 
 /// Adds to the profile of one soil what its slices are now, in the flow among the grains that stand.
@@ -357,6 +355,9 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
     if (migration.settles) {
         settle_skeleton(migration, spec, around);
         return begin_next_hold(migration, spec);
+    }
+    if (!migration.pores) {
+        migration.pores = std::make_shared<const CoarsePores>(migration.world);
     }
     Leg leg(migration, spec, around);
     leg.go(migration.time, longest_leg(migration, spec));

@@ -10,10 +10,12 @@
 #include "suffuse/erosion/loop.hpp"
 #include "suffuse/erosion/migrate_spec.hpp"
 #include "suffuse/erosion/migration_result.hpp"
+#include "suffuse/erosion/passed_throats.hpp"
 #include "suffuse/erosion/stack.hpp"
 #include "suffuse/erosion/weight.hpp"
 
 #include <cstdint>
+#include <memory>
 
 namespace suffuse::erosion {
 
@@ -36,10 +38,11 @@ struct Migration {
     LayerGradients at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
     LayerGradients now;      ///< of the last flow
     Feeding feeding;
-    double fed_mass = 0;  ///< that has entered with the water [kg]
-    bool rested = true;   ///< each time before the flow, within the time for it
-    bool settles = false; ///< next the skeleton finds its new equilibrium
-    bool over = false;    ///< all gradients are done, or a budget is
+    std::shared_ptr<const CoarsePores> pores; ///< of the skeleton as it is held; nothing: they are found anew
+    double fed_mass = 0;                      ///< that has entered with the water [kg]
+    bool rested = true;                       ///< each time before the flow, within the time for it
+    bool settles = false;                     ///< next the skeleton finds its new equilibrium
+    bool over = false;                        ///< all gradients are done, or a budget is
 };
 
 /// Lets the fines of `sample` come to rest under their weight. @throws CaseError, StateError for a setting or sample

@@ -75,7 +75,7 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
           before.hindrance
       ),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
-      throats_(before.world, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
+      throats_(before.pores, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
       gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
       most_steps_(spec.steps_at_most.value_or(std::numeric_limits<std::int64_t>::max()) - before.steps),
       force_(before.world.grains.size()), rate_(before.world.grains.size()) {

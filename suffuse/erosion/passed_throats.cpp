@@ -13,41 +13,40 @@ namespace {
 constexpr std::size_t nowhere = 4; ///< no facet
 constexpr int most_pores = 10'000; ///< on the way between two looks: flat pores must not hold a grain forever
 
-struct Coarse {
-    std::vector<Vec3> position;
-    std::vector<double> radius;
-};
-
-Coarse coarse_of(const dem::World& world) {
-    Coarse coarse;
-    for (std::size_t g = 0; g < world.grains.size(); ++g) {
-        if (world.grains.fine[g] == 0) {
-            coarse.position.push_back(world.grains.position[g]);
-            coarse.radius.push_back(world.grains.radius[g]);
+/// The rows of a column that are of coarse grains.
+template <class T>
+std::vector<T> of_coarse(const grains::Grains& grains, const std::vector<T>& column) {
+    std::vector<T> chosen;
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        if (grains.fine[g] == 0) {
+            chosen.push_back(column[g]);
         }
     }
-    return coarse;
+    return chosen;
 }
 
 } // namespace
 
-CoarseThroats::CoarseThroats(const dem::World& world, std::span<const Vec3> start) {
-    Coarse coarse = coarse_of(world);
-    network_ = pores::build_network(world.cell.h, coarse.position, coarse.radius);
-    position_ = std::move(coarse.position);
-    const pores::PoreLocator locator(network_, position_);
+CoarsePores::CoarsePores(const dem::World& world)
+    : position(of_coarse(world.grains, world.grains.position)),
+      network(pores::build_network(world.cell.h, position, of_coarse(world.grains, world.grains.radius))),
+      locator(network, position) {}
+
+CoarseThroats::CoarseThroats(std::shared_ptr<const CoarsePores> pores, std::span<const Vec3> start)
+    : pores_(std::move(pores)) {
     traveler_.reserve(start.size());
     for (const Vec3& at : start) {
-        traveler_.push_back({at, locator.find(at)});
+        traveler_.push_back({at, pores_->locator.find(at)});
     }
 }
 
 std::size_t CoarseThroats::way_out(const Traveler& traveler, const Vec3& to, std::size_t came_by) const {
     const auto& [pore, image] = traveler.in;
+    const pores::PoreNetwork& network = pores_->network;
     std::array<Vec3, 4> corner;
     for (std::size_t k = 0; k < 4; ++k) {
-        corner[k] =
-            position_[network_.pores.grain[pore][k]] + shift(network_.h, network_.pores.grain_image[pore][k] + image);
+        corner[k] = pores_->position[network.pores.grain[pore][k]] +
+                    shift(network.h, network.pores.grain_image[pore][k] + image);
     }
     const auto inside = [&](std::size_t k, const Vec3& x) { // of facet k, as a volume
         std::array<Vec3, 4> c = corner;
@@ -70,22 +69,22 @@ std::size_t CoarseThroats::way_out(const Traveler& traveler, const Vec3& to, std
 }
 
 void CoarseThroats::follow(std::size_t p, const Vec3& place, PassedThroats& passed) {
+    const pores::PoreNetwork& network = pores_->network;
     Traveler& traveler = traveler_[p];
     std::size_t out = way_out(traveler, place, nowhere);
     for (int pores = 0; out != nowhere && pores < most_pores; ++pores) {
-        const std::uint32_t pore = traveler.in.pore, throat = network_.pores.throat[pore][out];
-        if (!pores::is_internal(network_.throats, throat)) {
-            const auto side = static_cast<std::int64_t>(pores::side_of(network_, pore, out));
+        const std::uint32_t pore = traveler.in.pore, throat = network.pores.throat[pore][out];
+        if (!pores::is_internal(network.throats, throat)) {
+            const auto side = static_cast<std::int64_t>(pores::side_of(network, pore, out));
             const std::int64_t through = 2 * static_cast<std::int64_t>(throat) + side;
             const bool comes_back = passed.last == (through ^ 1);
-            const double width = 2 * network_.throats.inscribed_radius[throat];
+            const double width = 2 * network.throats.inscribed_radius[throat];
             passed.count += comes_back ? -1 : 1;
             passed.narrowest = passed.narrowest > 0 ? std::min(passed.narrowest, width) : width;
             passed.last = comes_back ? PassedThroats::never : through;
         }
-        const std::size_t came_by = pores::facet_from_other_side(network_.pores, pore, out);
-        traveler.in = {
-            network_.pores.neighbor[pore][out], traveler.in.image + network_.pores.neighbor_image[pore][out]};
+        const std::size_t came_by = pores::facet_from_other_side(network.pores, pore, out);
+        traveler.in = {network.pores.neighbor[pore][out], traveler.in.image + network.pores.neighbor_image[pore][out]};
         out = way_out(traveler, place, came_by);
     }
     traveler.at = place;

@@ -8,15 +8,28 @@
 #include "suffuse/pores/locate.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace suffuse::erosion {
 
+/// Pores between the grains of a world that are coarse.
+struct CoarsePores {
+    explicit CoarsePores(const dem::World& world);
+
+    std::vector<Vec3> position; ///< coarse [m]
+    pores::PoreNetwork network;
+    pores::PoreLocator locator;
+};
+
 class CoarseThroats {
 public:
-    /// Of the grains of `world` that are coarse. @param start where the travelers are [m]
-    CoarseThroats(const dem::World& world, std::span<const Vec3> start);
+    /// @param start where the travelers are [m]
+    CoarseThroats(std::shared_ptr<const CoarsePores> pores, std::span<const Vec3> start);
+
+    CoarseThroats(const dem::World& world, std::span<const Vec3> start)
+        : CoarseThroats(std::make_shared<const CoarsePores>(world), start) {}
 
     /// Moves traveler p straight to `place` [m], and enters what it passes on the way.
     void follow(std::size_t p, const Vec3& place, PassedThroats& passed);
@@ -31,8 +44,7 @@ private:
     /// Corner opposite to the facet by which it leaves its pore; 4: it does not.
     [[nodiscard]] std::size_t way_out(const Traveler& traveler, const Vec3& to, std::size_t came_by) const;
 
-    std::vector<Vec3> position_; ///< coarse [m]
-    pores::PoreNetwork network_;
+    std::shared_ptr<const CoarsePores> pores_;
     std::vector<Traveler> traveler_;
 };
 
