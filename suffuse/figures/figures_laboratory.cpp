@@ -222,9 +222,11 @@ std::optional<Figure> cyclic_curves(const std::vector<LaboratoryTest>& tests) {
         return row.excess_pore_pressure / lateral_stress(spec, curve_of(spec).front());
     };
     const auto cycle = [&](const triaxial::TriaxialSpec& spec, const triaxial::PathRow& row) {
-        const auto half = std::ranges::equal_range(curve_of(spec), row.leg, {}, &triaxial::PathRow::leg);
-        const auto done = static_cast<double>(&row - &half.front() + 1);
-        return 0.5 * (row.leg + done / static_cast<double>(half.size()));
+        const std::vector<triaxial::PathRow>& curve = curve_of(spec);
+        const auto first = std::ranges::lower_bound(curve, row.leg, {}, &triaxial::PathRow::leg);
+        const auto end = std::ranges::upper_bound(curve, row.leg, {}, &triaxial::PathRow::leg);
+        const auto done = static_cast<double>(&row - &*first + 1);
+        return 0.5 * (row.leg + done / static_cast<double>(end - first));
     };
     Figure figure = figure_of(
         "own-cyclic", "Cyclic loading",
