@@ -118,7 +118,7 @@ test("tasks for a cluster: the script to copy, and its samples gathered", async 
   await page.click("#copy");
   await page.waitForFunction(() => document.getElementById("copied").textContent);
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.textContent("#script"));
-  assert.match(await page.textContent("#sweep-live .state"), /tasks of a cluster/);
+  await page.waitForFunction(() => /tasks of a cluster/.test(document.querySelector("#sweep-live .state")?.textContent));
   studio.suffuse("resume", "runs/cluster-0001", "--sample", "sand/friction=20deg");
   await page.click("#sweep-live [data-do=collect]");
   await page.waitForFunction(() => document.querySelectorAll("#sweep-live .stages td.ok").length === 1);
