@@ -36,7 +36,7 @@ test("a soil: its verdict, its gap, an edited curve, a filter, and a PDF", async
   await knob.focus();
   await page.keyboard.press("ArrowUp");
   await page.waitForFunction(() => document.getElementById("table").value.includes("0.9,22"));
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.point), "4");
+  await page.waitForFunction(() => document.activeElement?.dataset.point === "4"); // drawn anew, it has the focus still
   await page.click("#back");
   await page.waitForFunction(() => document.getElementById("back").hidden);
   await page.setInputFiles("#filter-file", join(studio.folder, "filter.csv"));

@@ -1,6 +1,7 @@
 #pragma once
-// The criteria of internal stability, one row each: id, name, what is measured, limit, source, and what it measures, in
-// words. The criteria themselves, `suffuse explain CRITERION` and the page of `assess --page` take them from here.
+// The criteria of internal stability and the rules for filters, one row each: id, name, what is measured, limit,
+// source, and what it measures, in words. The criteria themselves, `suffuse explain CRITERION` and the page of `assess
+// --page` take them from here.
 
 #include "suffuse/stability/criterion.hpp"
 
@@ -19,7 +20,7 @@ Criterion define(std::string_view id);
 /// that reads the specified number, "alpha", "h/f"; nothing where there is none.
 std::optional<std::string> explain_criterion(std::string_view word);
 
-/// Ids of all criteria, in the order of the assessment, those of gradients last.
+/// Ids of all criteria of internal stability, in the order of the assessment, those of gradients last.
 std::vector<std::string> criterion_ids();
 
 } // namespace suffuse::stability

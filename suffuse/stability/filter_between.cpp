@@ -1,6 +1,7 @@
 #include "suffuse/stability/filter_between.hpp"
 
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 #include "suffuse/stability/curve.hpp"
 #include "suffuse/stability/filter_itself.hpp"
 #include "suffuse/stability/measured_part.hpp"
@@ -130,14 +131,10 @@ std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d
                                                         base.has_gap ? ", the fine end of its gap" : ""
                                                     )
                                                   : "";
-    Criterion terzaghi{"terzaghi-filter", "Terzaghi and Peck", "D15F/d85B"};
-    terzaghi.source = "TerzaghiPeck1948";
-    terzaghi.limit = 4, terzaghi.sense = Sense::AtMost;
+    Criterion terzaghi = define("terzaghi-filter");
     judge_ratio(d15, base.d85, fmt::format("D15F {}, d85B {}{}", mm(d15), mm(base.d85), regraded), terzaghi);
 
-    Criterion no_erosion{"no-erosion-filter", "No erosion (NRCS 2017)", "D15F/largest D15F"};
-    no_erosion.source = "NRCS2017";
-    no_erosion.limit = 1, no_erosion.sense = Sense::AtMost;
+    Criterion no_erosion = define("no-erosion-filter");
     const auto largest = largest_filter(base);
     const std::string fines = base.fines ? fmt::format("{:.3g} % fines", 100 * *base.fines) : "few fines";
     if (largest) {
@@ -153,9 +150,7 @@ std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d
         no_erosion.remark = "the fines of the base below 0.075 mm were not measured";
     }
 
-    Criterion continuing{"continuing-erosion-filter", "Continuing erosion (Foster and Fell 2001)", "D15F/d95B"};
-    continuing.source = "FosterFell2001";
-    continuing.limit = 9, continuing.sense = Sense::AtMost;
+    Criterion continuing = define("continuing-erosion-filter");
     judge_ratio(
         d15, base.d95, fmt::format("d95B {}{}; beyond, the filter never seals", mm(base.d95), regraded), continuing
     );
@@ -164,9 +159,7 @@ std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d
 
 Criterion judge_drainage(const BaseSoil& base, const SizeBounds& d15) {
     constexpr SizeBounds least_d15{0.1e-3, 0.1e-3}; // [m]
-    Criterion drains{"permeability-filter", "Permeability (NRCS 2017)", "D15F/d15B"};
-    drains.source = "NRCS2017";
-    drains.limit = 5;
+    Criterion drains = define("permeability-filter");
     judge_ratio(
         d15, base.d15, fmt::format("D15F {}, d15B {}; D15F also at least 0.1 mm", mm(d15), mm(base.d15)), drains
     );

@@ -1,5 +1,7 @@
 #include "suffuse/stability/filter_between.hpp"
 
+#include "suffuse/stability/criterion_guide.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +11,19 @@ namespace {
 
 grains::Grading straight(double from, double to) {
     return {{from, to}, {0, 1}, ""};
+}
+
+TEST(FilterBetween, HasItsRulesExplainedWithTheirSource) {
+    for (const Criterion& rule : check_filter(straight(1e-4, 4e-4), straight(2e-3, 2.0001e-3)).criteria) {
+        if (rule.name.starts_with("The filter's own stability")) {
+            continue; // criteria of any soil
+        }
+        const auto text = explain_criterion(rule.id);
+        ASSERT_TRUE(text) << rule.id;
+        EXPECT_NE(text->find(rule.source), std::string::npos) << *text;
+        EXPECT_EQ(text->find("unverified") == std::string::npos, rule.verified) << *text;
+        EXPECT_NE(explain_criterion("filter")->find(*text), std::string::npos) << "all of them by one word";
+    }
 }
 
 TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {

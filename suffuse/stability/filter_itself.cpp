@@ -1,6 +1,7 @@
 #include "suffuse/stability/filter_itself.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/stability/criterion_guide.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +25,7 @@ const Criterion& find(const Assessment& own, std::string_view id) {
 
 /// At most 5 % finer than 0.075 mm: more of them give a filter cohesion, so that a crack in it stays open.
 Criterion judge_fines(const Grading& filter) {
-    Criterion criterion{"filter-fines", "Fines of the filter (NRCS 2017)", "F at 0.075 mm"};
-    criterion.source = "NRCS2017";
-    criterion.limit = 0.05, criterion.sense = Sense::AtMost;
+    Criterion criterion = define("filter-fines");
     const auto fines = share_within(filter, sieve_200);
     const double most = fines.value_or(filter.passing.front()); // finer than a larger size
     if (!fines && most > *criterion.limit) {
@@ -56,10 +55,7 @@ double largest_d90(double d10) {
 }
 
 Criterion judge_segregation(const Grading& filter) {
-    Criterion criterion{"filter-segregation", "Segregation (NRCS 2017)", "D90F/largest D90F"};
-    criterion.source = "NRCS2017";
-    criterion.verified = false;
-    criterion.limit = 1, criterion.sense = Sense::AtMost;
+    Criterion criterion = define("filter-segregation");
     const auto d10 = size_within(filter, 0.10), d90 = size_within(filter, 0.90);
     if (!d10 || !d90) {
         criterion.remark = fmt::format("{} of the filter was not measured", d10 ? "D90" : "D10");
