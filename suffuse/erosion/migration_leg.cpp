@@ -1,5 +1,6 @@
 #include "suffuse/erosion/migration_leg.hpp"
 
+#include "suffuse/base/parallel.hpp"
 #include "suffuse/base/quantile.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/order.hpp"
@@ -78,7 +79,8 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       throats_(before.pores, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
       gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
       most_steps_(spec.steps_at_most.value_or(std::numeric_limits<std::int64_t>::max()) - before.steps),
-      force_(before.world.grains.size()), rate_(before.world.grains.size()) {
+      force_(before.world.grains.size()), rate_(before.world.grains.size()), network_(present_.size()) {
+    look_up_network();
     if (before.stack.is_stack()) {
         layers_ = layer_gradients(water_.seepage(), before.stack, spec.direction);
     }
@@ -167,11 +169,16 @@ Vec3 Leg::velocity(std::size_t p) const {
     return copy_.world().grains.velocity[copy_.fines()[p]] / to_true_;
 }
 
-/// Velocity of the network's water at a grain [m/s]: where it stands, that which does not push it; where it has moved,
-/// or goes with the water, that in the pore where it is.
-Vec3 Leg::network_at(std::size_t p) const {
-    const bool stands = !goes(p) && !has_moved(p);
-    return pull_ * (stands ? water_.velocity(copy_.fines()[p]) : water_.velocity_at(copy_.position(p)));
+/// Where a grain stands, the velocity that does not push it; where it has moved, or goes with the water, that in the
+/// pore where it is.
+void Leg::look_up_network() {
+    constexpr std::size_t block = 256;
+    parallel_for(present_.size(), block, [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const bool stands = !goes(p) && !has_moved(p);
+            network_[p] = pull_ * (stands ? water_.velocity(copy_.fines()[p]) : water_.velocity_at(copy_.position(p)));
+        }
+    });
 }
 
 /// Over that of the network. Along the flow the gradient pushes the grains of the network, whose forces grow with that
@@ -185,7 +192,7 @@ double Leg::speed_of_water() const {
         const double drag = copy_.world().grains.mass[g] * rate_[g]; // [N s/m]
         const Vec3 counted = goes(p) ? Vec3{} : pull_ * water_.velocity(g);
         push += drag * dot(velocity(p), along);
-        resists += drag * dot(network_at(p) - counted, along);
+        resists += drag * dot(network_[p] - counted, along);
     }
     return std::clamp(push / resists, 0.0, fastest_);
 }
@@ -207,6 +214,7 @@ void Leg::burst(double time) {
     }
     copy_.immerse(force_, rate_);
     copy_.hold(time / copy_.true_time(), pulse_, "migrate");
+    look_up_network();
 }
 
 void Leg::note_travel(double time) {

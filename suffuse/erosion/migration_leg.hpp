@@ -45,9 +45,9 @@ private:
 
     [[nodiscard]] bool has_moved(std::size_t p) const;
     [[nodiscard]] Vec3 velocity(std::size_t p) const;
-    [[nodiscard]] Vec3 network_at(std::size_t p) const;
+    void look_up_network();
 
-    [[nodiscard]] Vec3 water_at(std::size_t p) const { return speed_ * network_at(p); }
+    [[nodiscard]] Vec3 water_at(std::size_t p) const { return speed_ * network_[p]; }
 
     [[nodiscard]] double speed_of_water() const;
     [[nodiscard]] bool goes_now(std::size_t p) const;
@@ -78,6 +78,7 @@ private:
     std::int64_t most_steps_;          ///< that are left of a budget
     std::vector<Vec3> force_;          ///< of the water on grains at rest [N]
     std::vector<double> rate_;         ///< [1/s]
+    std::vector<Vec3> network_;        ///< velocity of its water at each of the fines now [m/s]
 };
 
 } // namespace suffuse::erosion

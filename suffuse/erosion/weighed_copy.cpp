@@ -142,6 +142,7 @@ void WeighedCopy::go_back(const State& state) {
     undone_steps_ += steps_ - state.steps;
     world_ = state.world;
     resting_ = {};
+    some_sleep_ = false;
     steps_ = state.steps;
     caches_ = {};
     caches_.neighborhood.leave_out_held_pairs();
@@ -157,6 +158,9 @@ std::vector<Vec3> WeighedCopy::positions() const {
 }
 
 void WeighedCopy::wake() {
+    if (!some_sleep_) {
+        return;
+    }
     for (std::size_t k = 0; k < fines_.size(); ++k) {
         if (bears_load_[k] == 0) {
             world_.grains.motion[fines_[k]] = grains::Motion::Free;
@@ -164,6 +168,7 @@ void WeighedCopy::wake() {
     }
     world_.contacts = contact::joined(world_.contacts, resting_);
     resting_ = {};
+    some_sleep_ = false;
     caches_.neighborhood.forget_table();
 }
 
@@ -185,6 +190,8 @@ void WeighedCopy::put_to_sleep(const std::vector<Vec3>& before, double time) {
             grains.velocity[g] = grains.spin[g] = {};
         }
     }
+    some_sleep_ = true;
+    caches_.neighborhood.forget_table();
     resting_ = part_held_grains(world_);
 }
 

@@ -92,7 +92,8 @@ private:
     dem::World world_;
     contact::Contacts skeleton_; ///< between grains of which none will ever move
     contact::Contacts resting_;  ///< between others of which none moves now
-    std::vector<Vec3> weight_;   ///< [N]
+    bool some_sleep_ = false;
+    std::vector<Vec3> weight_; ///< [N]
     std::vector<std::uint32_t> fines_;
     std::vector<std::uint8_t> bears_load_;
     std::int64_t free_ = 0;
