@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/migrations.hpp"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -19,6 +20,8 @@
 
 namespace suffuse::erosion {
 namespace {
+
+using test::migrate;
 
 constexpr double side = 2e-3; // of the cross-section [m]
 
@@ -137,14 +140,6 @@ MigrateSpec downward(double gradient) {
         .gravity = Gravity{.down = {0, 0, 1}},
         .stack = true,
     };
-}
-
-Migration migrate(const dem::World& sample, const MigrateSpec& spec) {
-    Migration migration = begin_migration(sample, spec, {});
-    while (!migration.over) {
-        migrate_on(migration, spec, {});
-    }
-    return migration;
 }
 
 TEST(Stack, HoldsABaseThatIsAsCoarseAsItsHolesAndLosesOneThatFitsThroughThem) {
