@@ -63,7 +63,7 @@ std::string conditions(const study::FinesSweep& sweep) {
     return fmt::format(
         "Question: from which fines content on do the fines of the soil “{}” carry load? {} mixtures of {} to {} "
         "fines, {} {} of each with {} grains, were brought to {} kPa{}.",
-        sweep.study->soil, study.fines_content.size(), percent_name(study.fines_content.front()),
+        sweep.study->variants.front().soil_name, study.fines_content.size(), percent_name(study.fines_content.front()),
         percent_name(study.fines_content.back()), seeds, seeds == 1 ? "sample" : "samples", count,
         short_number(pressure.front().value.mean / 1e3),
         study.dense.points.empty() ? "" : fmt::format(" in the states “{}” and “{}”", sweep.loose, sweep.dense)

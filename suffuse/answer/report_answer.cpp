@@ -224,7 +224,7 @@ std::vector<std::string> answers_to_removals(const std::vector<record::FinishedS
 
 std::string describe_question(const study::ErosionStory& story, bool has_strength) {
     const std::size_t passes = story.erosion.passes.size();
-    const std::string& soil = story.eroded->study->soil;
+    const std::string& soil = story.eroded->variant->soil_name;
     const std::string which =
         erosion::is_forced(story.erosion)
             ? fmt::format(

@@ -55,6 +55,7 @@ struct Variant {
     std::map<std::string, Scalar> values; ///< of the swept keys
     int replicate = 1;
     std::uint64_t seed = 0;
+    std::string soil_name; ///< the study's, unless it is swept
     std::optional<grains::Soil> soil;
     std::int64_t particles = 0;
     std::optional<grains::SizedBy> sized_by; ///< the rule that decided on `particles`, where the study has rules

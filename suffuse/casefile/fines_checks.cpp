@@ -14,11 +14,8 @@ namespace {
 
 class FinesChecks {
 public:
-    FinesChecks(
-        ReadContext& context, const Variant& variant, const Stage& stage, const std::string& soil,
-        const PlaceOfKey& place
-    )
-        : context_(context), variant_(variant), stage_(stage), soil_(soil), place_(place) {}
+    FinesChecks(ReadContext& context, const Variant& variant, const Stage& stage, const PlaceOfKey& place)
+        : context_(context), variant_(variant), stage_(stage), place_(place) {}
 
     /// Erosion without fines cannot do anything.
     void check_rule() {
@@ -86,9 +83,7 @@ public:
             );
             return;
         }
-        const auto swept = variant_.values.find("soil");
-        const auto* name = swept == variant_.values.end() ? nullptr : std::get_if<std::string>(&swept->second);
-        const auto found = context_.places.find(fmt::format("soil.{}.fines_content", name ? *name : soil_));
+        const auto found = context_.places.find(fmt::format("soil.{}.fines_content", variant_.soil_name));
         context_.problems.error(
             "E605", found == context_.places.end() ? place_("do") : found->second,
             fmt::format(
@@ -128,16 +123,13 @@ private:
     ReadContext& context_;
     const Variant& variant_;
     const Stage& stage_;
-    const std::string& soil_;
     const PlaceOfKey& place_;
 };
 
 } // namespace
 
-void check_fines(
-    ReadContext& context, const Variant& variant, const Stage& stage, const std::string& soil, const PlaceOfKey& place
-) {
-    FinesChecks checks(context, variant, stage, soil, place);
+void check_fines(ReadContext& context, const Variant& variant, const Stage& stage, const PlaceOfKey& place) {
+    FinesChecks checks(context, variant, stage, place);
     if (traits_of(stage).needs_fines_rule) {
         checks.check_rule();
     }

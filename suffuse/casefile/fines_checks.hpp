@@ -13,9 +13,7 @@ namespace suffuse::casefile {
 using PlaceOfKey = std::function<Place(std::string_view key)>;
 
 /// Reports a stage whose fines nobody names, a soil that has none of them or nothing else, and fines that enter where
-/// they cannot. @param soil of the study, by name
-void check_fines(
-    ReadContext& context, const Variant& variant, const Stage& stage, const std::string& soil, const PlaceOfKey& place
-);
+/// they cannot.
+void check_fines(ReadContext& context, const Variant& variant, const Stage& stage, const PlaceOfKey& place);
 
 } // namespace suffuse::casefile

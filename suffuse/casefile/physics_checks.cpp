@@ -31,7 +31,7 @@ std::optional<packing::Protocol> protocol_of(const Stage& stage) {
 class Checks {
 public:
     Checks(ReadContext& context, const Case& settings, const Study& study, const Variant& variant)
-        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name), soil_(study.soil) {}
+        : context_(context), settings_(settings), variant_(variant), path_("study." + study.name) {}
 
     void check_pressure(const Stage& stage, std::string_view key, double pressure) {
         const std::optional<TooSoft> soft = check_stiffness(variant_.material, pressure);
@@ -132,9 +132,7 @@ public:
     }
 
     void check_fines(const Stage& stage) {
-        casefile::check_fines(context_, variant_, stage, soil_, [&](std::string_view key) {
-            return stage_place(stage, key);
-        });
+        casefile::check_fines(context_, variant_, stage, [&](std::string_view key) { return stage_place(stage, key); });
     }
 
     /// A test, an erosion and a removal start from a sample that carries a stress: the pace or the loads of a test
@@ -256,7 +254,7 @@ private:
     ReadContext& context_;
     const Case& settings_;
     const Variant& variant_;
-    std::string path_, soil_;
+    std::string path_;
 };
 
 void check_loading(Checks& checks, const Stage& stage, const cell::Loading& loading, bool has_pressure) {

@@ -65,7 +65,7 @@ public:
         : problems_(context.problems),
           place_(context.places["study." + study.name + (study.sample_size ? ".sample_size" : ".particles")]),
           split_place_(
-              context.places["soil." + study.soil + (variant.soil->finer_than ? ".fines.finer_than" : ".fines")]
+              context.places["soil." + variant.soil_name + (variant.soil->finer_than ? ".fines.finer_than" : ".fines")]
           ),
           variant_(variant) {}
 

@@ -262,6 +262,18 @@ TEST(Sweeps, OfASettlingsPressureSurviveWritingAndReading) {
     EXPECT_EQ(rest.loading.axis[2].value, 9e3);
 }
 
+TEST(Sweeps, OverTheSoilNeedNoOtherAndGiveEachSampleItsOwn) {
+    const std::string text = good_case + "[soil.silt]\npsd = { d = [\"0.1 mm\", \"0.2 mm\"], passing = [\"0 %\", "
+                                         "\"100 %\"] }\n[study.swept]\nparticles = 3000\n"
+                                         "sweep = { soil = [\"sand\", \"silt\"] }\n"
+                                         "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n";
+    const Case c = load(text, {"", {}, {"swept"}});
+    ASSERT_EQ(c.studies[0].variants.size(), 2U);
+    EXPECT_EQ(c.studies[0].variants[0].soil_name, "sand");
+    EXPECT_EQ(c.studies[0].variants[1].soil_name, "silt");
+    EXPECT_EQ(c.studies[0].variants[1].soil->whole->diameter.back(), 0.2e-3);
+}
+
 TEST(Presets, AreCheckedAlsoWhenTheyAreNotInForce) {
     const auto list = problems_of(good_case + "[presets.x]\nparticles = \"many\"\npressure = \"1 kPa\"\n");
     EXPECT_EQ(find_problem(list, "E205").line, 16);

@@ -172,6 +172,11 @@ void check_only(ReadContext& context, const Study& study, const std::string& pat
     }
 }
 
+bool is_swept(const Study& study, std::string_view key) {
+    const auto is_key = [&](const Sweep& sweep) { return sweep.key == key; };
+    return std::ranges::any_of(study.sweep, is_key) || std::ranges::any_of(study.rows, is_key);
+}
+
 /// The study and its soil as one variant has them.
 void read_body(ReadContext& context, const StudySurroundings& around, Reader& v, Study& study) {
     v.field("soil", study.soil);
@@ -207,10 +212,10 @@ void read_body(ReadContext& context, const StudySurroundings& around, Reader& v,
             );
         }
     }
-    if (packs && study.soil.empty()) {
+    if (packs && study.soil.empty() && !is_swept(study, "soil")) {
         v.error(
             "E201", v.place(), fmt::format("{} packs grains and needs `soil`", v.title()),
-            "the name of a [soil.NAME] table"
+            "the name of a [soil.NAME] table, or several in `sweep`"
         );
     }
     check_size_keys(v, around, study, packs);
@@ -268,6 +273,7 @@ void read_variant(
         variant.soil = read_soil(context, *soil_node, soil_entry->place, "soil." + soil_entry->key);
     }
     read_contact(context, around, contact_node, variant);
+    variant.soil_name = copy.soil;
     variant.particles = copy.particles;
     if (copy.sample_size && variant.soil && variant.soil->coarse && variant.soil->fines) {
         const grains::SampleSize size = grains::size_sample(*variant.soil, *copy.sample_size);

@@ -58,7 +58,7 @@ SampleStress read_sample_stress(const fs::path& run, const std::string& soil) {
     for (const casefile::Study& study : what.studies) {
         for (const casefile::Variant& variant : study.variants) {
             const casefile::Stage* const stage =
-                !soil.empty() && study.soil != soil ? nullptr : loaded_stage(variant, run);
+                !soil.empty() && variant.soil_name != soil ? nullptr : loaded_stage(variant, run);
             if (stage == nullptr) {
                 continue;
             }
