@@ -86,6 +86,35 @@ protected:
         }
         EXPECT_EQ(run_suffuse({"verify", "whole"}).code, 0);
     }
+
+    /// Of the calibration in "whole": with other settings or data it is refused, and stays as it is.
+    void expect_others_refused() {
+        const auto refused = [&](const std::vector<std::string>& arguments, const std::string& why) {
+            const std::string request = test::read_all(folder / "whole/run_options.json");
+            const ProgramResult result = run_suffuse(arguments);
+            EXPECT_EQ(result.code, 3) << result.out << result.error;
+            EXPECT_NE(result.error.find(why), std::string::npos) << result.error;
+            EXPECT_EQ(test::read_all(folder / "whole/run_options.json"), request);
+            EXPECT_EQ(run_suffuse({"verify", "whole"}).code, 0) << "its answer is whole";
+        };
+        refused(
+            {"calibrate", "case.toml", "-o", "whole", "--no-cache", "--set", "calibrate.particles=130"},
+            "with other settings (another calibrate.particles)"
+        );
+        refused(
+            {"calibrate", "case.toml", "-o", "whole", "--no-cache", "--set", "seed=3"}, "other settings (another seed)"
+        );
+        const std::string before = test::read_all(folder / "t.csv");
+        test::write_to(folder / "t.csv", before + "2.1,201,0.21\n");
+        refused({"resume", "whole", "--no-cache"}, "t.csv has changed since the calibration in whole began");
+        test::write_to(folder / "t.csv", before);
+        EXPECT_EQ(run_suffuse({"resume", "whole", "--no-cache"}).code, 0);
+        EXPECT_EQ(run_suffuse({"verify", "whole"}).code, 0);
+        std::filesystem::remove(folder / "whole/calibration_inputs.json");
+        const ProgramResult earlier = run_suffuse({"resume", "whole", "--no-cache"});
+        EXPECT_EQ(earlier.code, 3) << earlier.out;
+        EXPECT_NE(earlier.error.find("an earlier version began this calibration"), std::string::npos) << earlier.error;
+    }
 };
 
 TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
@@ -126,6 +155,7 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     EXPECT_EQ(same.code, 0) << same.error;
     EXPECT_EQ(same.json().at("differences").size(), 0U);
     EXPECT_EQ(same.json().at("numbers"), 11) << "three of each parameter, and a misfit of each curve";
+    expect_others_refused();
 }
 
 TEST_F(CalibrateVerb, ShowsItsPriceAndRunsNothing) {

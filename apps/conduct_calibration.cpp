@@ -44,7 +44,7 @@ bool run_round(
     const CalibrationJob& calibration, const job::CalibrationRound& round, const Stopwatch& watch,
     const Console& console
 ) {
-    io::make_folders(round.folder);
+    record::open_folder(round.folder, round.samples, casefile::resolved_toml(round.samples));
     if (job::is_round_done(round)) {
         return true;
     }
@@ -203,13 +203,16 @@ int price_calibration(const CalibrationJob& calibration, const Console& console)
 int conduct_calibration(const CalibrationJob& calibration, const Console& console) {
     const casefile::CalibrationCase what =
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
-    job::keep_calibration_case(calibration.case_file, calibration.folder);
+    job::keep_calibration_case(calibration.case_file, what, calibration.folder);
     const Stopwatch watch;
-    io::remove_file(calibration.folder / record::checksums_file); // true no more
+    const fs::path checksums = calibration.folder / record::checksums_file;
     job::CalibrationOptions options{calibration.folder, {}};
     options.run = [&](const job::CalibrationRound& round) { return run_round(calibration, round, watch, console); };
-    options.on_round = [&](const job::CalibrationResult& so_far) { write_answer(calibration, what, so_far); };
+    if (!fs::exists(checksums)) { // else a whole answer is there, and stays until the same one is written again
+        options.on_round = [&](const job::CalibrationResult& so_far) { write_answer(calibration, what, so_far); };
+    }
     const job::CalibrationResult result = job::calibrate(what, options);
+    io::remove_file(checksums); // true no more
     record::keep_provenance(calibration.folder, job::first_round(what), calibration.command, watch.seconds());
     if (!result.parameters.empty()) {
         write_answer(calibration, what, result);

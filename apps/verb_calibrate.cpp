@@ -2,6 +2,7 @@
 
 #include "suffuse/casefile/calibration_case.hpp"
 #include "suffuse/job/calibrate.hpp"
+#include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 
 #include "apps/conduct_calibration.hpp"
@@ -71,13 +72,15 @@ int CalibrateVerb::act(const CommandLine& line, const Console& console) const {
     if (is_plan) {
         return price_calibration(job, console);
     }
-    job::first_round(casefile::load_calibration(job.case_file, {{}, overrides, {}})); // errors leave no folder
+    const casefile::CalibrationCase what = casefile::load_calibration(job.case_file, {{}, overrides, {}});
+    job::first_round(what); // errors leave no folder
     if (output.empty()) {
         job.folder = job::make_run_folder(job.case_file);
     } else {
         job::take_run_folder(job.folder);
     }
     const job::FolderLock lock(job.folder, console.warner());
+    job::keep_calibration_case(job.case_file, what, job.folder); // before a request of other settings is saved
     job::save_request(
         job.folder, {fs::absolute(job.case_file).string(),
                      "",

@@ -32,12 +32,12 @@ fs::path folder_of(const fs::path& case_file, const std::optional<fs::path>& wan
 
 /// What is left of a round. @return false where it was stopped
 bool run_round(const job::CalibrationRound& round, run::RunOptions options) {
-    io::make_folders(round.folder);
+    options.case_text = casefile::resolved_toml(round.samples);
+    record::open_folder(round.folder, round.samples, options.case_text);
     if (job::is_round_done(round)) {
         return true;
     }
     options.folder = round.folder;
-    options.case_text = casefile::resolved_toml(round.samples);
     return job::run_without_report(round.samples, options);
 }
 
@@ -50,7 +50,7 @@ py::tuple calibrate(
     const casefile::CalibrationCase what = casefile::load_calibration(case_file.string(), {{}, overrides, {}});
     job::first_round(what); // errors leave no folder
     const fs::path folder = folder_of(case_file, wanted);
-    job::keep_calibration_case(case_file, folder);
+    job::keep_calibration_case(case_file.string(), what, folder);
     job::save_request(folder, {fs::absolute(case_file).string(), "", overrides, {}, cache.string()});
     run::RunOptions options;
     options.cache = cache;
@@ -63,12 +63,12 @@ py::tuple calibrate(
     listen_while(mailbox, listener, [&] {
         const job::FolderLock lock(folder, warn);
         const Stopwatch watch;
-        io::remove_file(folder / record::checksums_file); // true no more
         const auto run = [&](const job::CalibrationRound& round) {
             options.time_limit = limit - watch.seconds();
             return run_round(round, options);
         };
         result = job::calibrate(what, {folder, run});
+        io::remove_file(folder / record::checksums_file); // true no more
         record::keep_provenance(folder, job::first_round(what), options.command, watch.seconds());
         if (!result.parameters.empty()) {
             job::write_calibration(folder, what, result);

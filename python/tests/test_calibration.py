@@ -72,6 +72,8 @@ def test_undrained_and_oedometer_tests_give_parameters_and_a_stopped_one_goes_on
 
     again = suffuse.calibrate(case, tmp_path / "part")  # all of it is there
     assert again == found
+    with pytest.raises(suffuse.CaseError, match="other settings"):
+        suffuse.calibrate(case, tmp_path / "part", changes={"calibrate.particles": 5000})
     assert again.verify()["damages"] == [] and again.verify()["states"] > 0
     with open(tmp_path / "part" / "posterior.csv", "a") as table:
         table.write("\n")

@@ -153,6 +153,7 @@ CalibrationCase load_calibration(const std::string& path, const LoadOptions& opt
         const Node::Entry *seed = root->find("seed"), *title = root->find("title");
         what.seed = seed != nullptr ? static_cast<std::uint64_t>(seed->value.integer) : 1;
         what.title = title != nullptr ? title->value.text : "";
+        what.settings = print_file(*root);
         std::erase_if(root->entries, [](const Node::Entry& entry) {
             return entry.key == "calibrate" || entry.key == "study" || entry.key == "presets" || entry.key == "preset";
         });

@@ -17,6 +17,7 @@ struct CalibrationCase {
     CalibrateSpec spec;
     std::string title;
     std::uint64_t seed = 1;
+    std::string settings;             ///< the case with --set, in one spelling
     Node base;                        ///< the case without [calibrate] and studies
     std::string folder;               ///< where its relative paths start
     std::vector<Diagnostic> warnings; ///< of the samples at both ends of the ranges

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 std::set<std::string> own_files(const fs::path& folder) {
     std::set<std::string> names;
     for (const char* name :
-         {calibration_case_file, record::options_file, record::provenance_file, calibration_file, posterior_file,
-          "contact.toml", "report.html"}) {
+         {calibration_case_file, calibration_inputs_file, record::options_file, record::provenance_file,
+          calibration_file, posterior_file, "contact.toml", "report.html"}) {
         if (fs::exists(folder / name)) {
             names.insert(name);
         }
