@@ -171,6 +171,7 @@ plan::RunPlan plan_rest(const Job& job) {
 
 std::optional<int> look_before(const Job& job, const Console& console) {
     const std::string doubts = record::require_whole_run(job.folder, job.sample);
+    record::require_same_imports(job.what, job.folder, job.sample);
     if (!doubts.empty()) {
         console.talk("warning: " + doubts);
     }

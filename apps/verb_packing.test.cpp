@@ -50,6 +50,23 @@ TEST_F(Cli, PackingsTravel) {
     expect_in("here is a run; give one of its stages: here/studies/replay/start", which.error);
 }
 
+TEST_F(Cli, ARunWhosePackingHasChangedIsNotDone) {
+    run_suffuse({"new", "soil", "--from", "replay"});
+    const std::vector<std::string> run = {"run", "soil/case.toml", "-o", "here", "--until", "start", "--no-cache"};
+    ASSERT_EQ(run_suffuse(run).code, 0);
+    const std::string packing = read_all(folder / "soil/packing.csv");
+    write_to(folder / "soil/packing.csv", packing + "\n");
+    for (const auto& again : {run, {"resume", "here", "--until", "start", "--no-cache"}}) {
+        const ProgramResult refused = run_suffuse(again);
+        EXPECT_EQ(refused.code, 3) << refused.out;
+        expect_in("here: holds a run of another case", refused.error);
+        expect_in("soil/packing.csv has changed since it was imported", refused.error);
+    }
+    EXPECT_EQ(run_suffuse({"verify", "here", "--json"}).json().at("damages").size(), 0U) << "the run itself is whole";
+    write_to(folder / "soil/packing.csv", packing);
+    expect_in("nothing to do", run_suffuse(run).out);
+}
+
 TEST_F(Cli, ContactsTravelNextToAPacking) {
     run_suffuse({"new", "soil", "--from", "replay"});
     ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "settled"}).code, 0);

@@ -50,7 +50,8 @@ const std::vector<Fact> of_every_stage = {
      "", Kind::Origin},
     {"key", "",
      "which stage this is: `FORM:KEY`, KEY the SHA-256 of all that decides its numbers (settings of the stage, sample, "
-     "seed, `start_state`; names have no part in it). A stage with another KEY than the run's case gives is refused. "
+     "seed, imported files, `start_state`; names have no part in it). A stage with another KEY than the run's case "
+     "gives is refused. "
      "FORM is that of the keys and defaults of cases; keys of two forms are not compared. `state.h5`, `pass-K.h5` and "
      "`partial.h5` have it as the attribute `key` of the file",
      "", Kind::Origin},
@@ -68,6 +69,9 @@ const std::vector<Fact> of_every_stage = {
 
 const std::vector<Fact> of_import = {
     {"imported", "", "true", ""},
+    {"imported_files", "",
+     "SHA-256 of the files that were read, by `packing` and `contacts`; `run` and `resume` refuse others", "",
+     Kind::Origin},
     {"imported_overlap_ratio", "-", "largest overlap / smaller radius, of the file", ""},
     {"imported_contacts", "-", "contacts whose shear forces and moments a file gave", ""},
 };

@@ -149,6 +149,7 @@ RunReport run_case(const casefile::Case& what, const run::RunOptions& options) {
     run::Overview overview(options);
     if (!options.is_checked) {
         const std::string doubts = record::require_whole_run(options.folder, options.sample);
+        record::require_same_imports(what, options.folder, options.sample);
         if (std::optional<RunReport> ended = find_ended(what, options)) {
             return std::move(*ended);
         }

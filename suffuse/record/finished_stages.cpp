@@ -85,7 +85,9 @@ private:
             return fmt::format("is of a stage that {} does not have", resolved_case_file);
         }
         const auto& [variant, settings] = known->second;
-        const std::string key = key_of_stage(*what_, *variant, *settings, numbers.value("start_state", ""));
+        const std::string key = key_of_stage(
+            *what_, *variant, *settings, numbers.value("start_state", ""), numbers.value(imported_files_key, Sums{})
+        );
         const SameStage same = compare_keys(numbers.value("key", ""), key);
         if (same == SameStage::Unknown) {
             found.unverified.push_back(name);
@@ -206,6 +208,33 @@ std::string require_whole_stages(const fs::path& run, const std::string& sample)
 std::string require_whole_run(const fs::path& run, const std::string& sample) {
     require_same_inputs(run);
     return require_whole_stages(run, sample);
+}
+
+void require_same_imports(const casefile::Case& what, const fs::path& run, const std::string& sample) {
+    std::map<std::string, std::string> known; // samples may share a packing
+    for (const Sample& each : list_samples(what, "", sample)) {
+        for (const casefile::Stage& stage : each.variant->stages) {
+            const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec);
+            const fs::path file = stage_folder(run, *each.variant, stage) / "stage.json";
+            if (import == nullptr || !fs::exists(file)) {
+                continue;
+            }
+            const Sums sums = take_from(file, [&] { return read_json(file).value(imported_files_key, Sums{}); });
+            for (const auto& [name, sum] : sums) {
+                const std::string& path = name == "packing" ? import->path : import->contacts;
+                if (!known.contains(path)) {
+                    known[path] = checksum_of(path);
+                }
+                if (known[path] != sum) {
+                    throw CaseError(fmt::format(
+                        "{}: holds a run of another case: {} has changed since it was imported; restore it, or give -o "
+                        "another folder",
+                        run.string(), path
+                    ));
+                }
+            }
+        }
+    }
 }
 
 } // namespace suffuse::record

@@ -38,4 +38,7 @@ std::string require_whole_stages(const std::filesystem::path& run, const std::st
 /// The same of a whole run folder: also of the files that say what to compute.
 std::string require_whole_run(const std::filesystem::path& run, const std::string& sample = {});
 
+/// That the packings which the finished stages read are as they were then. @throws CaseError that names one that is not
+void require_same_imports(const casefile::Case& what, const std::filesystem::path& run, const std::string& sample = {});
+
 } // namespace suffuse::record

@@ -2,7 +2,6 @@
 
 #include "suffuse/casefile/dependencies.hpp"
 #include "suffuse/casefile/schema.hpp"
-#include "suffuse/record/sums.hpp"
 
 #include <filesystem>
 #include <string_view>
@@ -27,9 +26,20 @@ const std::string& form() {
 
 } // namespace
 
+Sums sums_of_imported(const casefile::Stage& stage) {
+    Sums sums;
+    if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
+        sums["packing"] = checksum_of(import->path);
+        if (!import->contacts.empty()) {
+            sums["contacts"] = checksum_of(import->contacts);
+        }
+    }
+    return sums;
+}
+
 std::string key_of_stage(
     const casefile::Case& what, const casefile::Variant& variant, const casefile::Stage& stage,
-    const std::string& start_state
+    const std::string& start_state, const Sums& imported
 ) {
     std::string text = "start " + start_state + "\n";
     if (const auto* import = std::get_if<casefile::ImportSpec>(&stage.spec)) {
@@ -37,6 +47,7 @@ std::string key_of_stage(
         text += import->contacts.empty()
                     ? ""
                     : "contacts " + std::filesystem::path(import->contacts).filename().string() + "\n";
+        text += sums_text(imported);
     }
     return form() + ":" + checksum_of_text(text + casefile::dependencies_of(what, variant, stage));
 }

@@ -34,6 +34,17 @@ TEST(StageKey, EverythingThatDecidesTheNumbersOfAStageChangesItAndNoNameDoes) {
     EXPECT_EQ(compare_keys(key, after([](Case& c, Variant&) { c.title = "other"; })), SameStage::Yes);
 }
 
+TEST(StageKey, ContentsOfImportedFilesChangeIt) {
+    Case what = casefile::testing::load(casefile::testing::full_case);
+    Variant& variant = what.studies[0].variants[0];
+    variant.stages[0].spec = casefile::ImportSpec{.path = "/packings/p.csv"};
+    const auto key = [&](const Sums& files) { return key_of_stage(what, variant, variant.stages[0], "", files); };
+    const Sums one = {{"packing", std::string(64, '1')}}, other = {{"packing", std::string(64, '2')}};
+    EXPECT_EQ(compare_keys(key(one), key(one)), SameStage::Yes);
+    EXPECT_EQ(compare_keys(key(one), key(other)), SameStage::No);
+    EXPECT_EQ(compare_keys(key({}), key(one)), SameStage::No) << "of a version that did not record them";
+}
+
 TEST(StageKey, OfAnotherFormOrNoneCannotBeCompared) {
     const std::string key = after(leave);
     EXPECT_EQ(compare_keys("", key), SameStage::Unknown);

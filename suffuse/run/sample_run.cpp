@@ -226,7 +226,8 @@ void SampleRun::run_stage(const casefile::Stage& next_stage) {
     const casefile::Stage stage = with_preparation_found(what_, options_, sample_, next_stage);
     dem::World start = start_of(stage);
     const std::string state = stage.parent >= 0 ? record::describe_state(start) : "";
-    const std::string stage_key = record::key_of_stage(what_, *sample_.variant, next_stage, state);
+    const record::Sums imported = record::sums_of_imported(next_stage);
+    const std::string stage_key = record::key_of_stage(what_, *sample_.variant, next_stage, state, imported);
     std::string key; // of the cache
     const erosion::OwnRule* const own_rule = own_rule_of(stage);
     if (!options_.cache.empty() && record::StageCache::keeps(stage) && own_rule == nullptr) {
@@ -237,6 +238,9 @@ void SampleRun::run_stage(const casefile::Stage& next_stage) {
     }
     StageWork work = begin_work(stage, folder, std::move(start), state, stage_key);
     work.own_rule = own_rule;
+    if (!imported.empty()) {
+        work.numbers[record::imported_files_key] = imported;
+    }
     if (casefile::is_prepared_as_another(*sample_.variant, next_stage)) {
         work.numbers["prepared_as"] =
             casefile::sample_to_prepare_by(*sample_.study, *sample_.variant, next_stage)->folder;
