@@ -10,6 +10,7 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/job/assessed_soil.hpp"
+#include "suffuse/job/run_folder.hpp"
 #include "suffuse/job/stability_matrix.hpp"
 #include "suffuse/report/assess_page.hpp"
 #include "suffuse/stability/open_curve.hpp"
@@ -381,6 +382,9 @@ int show_readings(const AssessVerb& verb, const Console& console) {
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (shows_reading) {
         return show_readings(*this, console);
+    }
+    if (!output.empty()) {
+        job::require_outside_runs(output);
     }
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();

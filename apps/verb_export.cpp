@@ -8,6 +8,7 @@
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/contact_table.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/stage_sums.hpp"
 
 #include <fmt/format.h>
@@ -78,6 +79,10 @@ int ExportVerb::act(const CommandLine&, const Console& console) const {
         ));
     }
     const io::PackingFormat format = output.chosen_format();
+    job::require_outside_runs(output.file);
+    if (!contacts.empty()) {
+        job::require_outside_runs(contacts);
+    }
     const fs::path state = fs::is_directory(given) ? given / "state.h5" : given;
     record::check_file(state);
     dem::World world = io::load_world(state).world;

@@ -8,6 +8,7 @@
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
 #include "suffuse/io/text_file.hpp"
+#include "suffuse/job/run_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -180,6 +181,7 @@ int ImportVerb::act(const CommandLine&, const Console& console) const {
     }
     if (!output.file.empty()) {
         const io::PackingFormat format = output.chosen_format();
+        job::require_outside_runs(output.file);
         if (!taken.h && io::needs_cell(format)) {
             throw UsageError(fmt::format(
                 "{}, and {} is written with one; give --cell LX,LY,LZ", shown(taken.no_cell), shown(output.file)

@@ -67,6 +67,30 @@ TEST_F(Cli, ARunWhosePackingHasChangedIsNotDone) {
     expect_in("nothing to do", run_suffuse(run).out);
 }
 
+TEST_F(Cli, NothingIsWrittenOverTheFilesOfARun) {
+    run_suffuse({"new", "soil", "--from", "replay"});
+    ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "start", "--no-cache"}).code, 0);
+    write_to(folder / "sand.csv", "d [mm],passing [%]\n0.1,0\n0.2,40\n0.5,100\n");
+    const std::string stage = "here/studies/replay/start";
+    const std::vector<std::vector<std::string>> calls = {
+        {"export", stage, "-o", stage + "/state.h5", "--format", "csv"},
+        {"export", stage, "-o", "here/case.toml", "--format", "csv"},
+        {"export", stage, "-o", "grains.csv", "--contacts", "here/contacts.csv"},
+        {"import", "soil/packing.csv", "--cell", "2e-3,2e-3,2e-3", "-o", "here/p.csv"},
+        {"assess", "sand.csv", "-o", "here"},
+        {"assess", "sand.csv", "-o", "here/new"},
+        {"assess", "sand.csv", "--page", "-o", "here/page.html"}};
+    for (const std::vector<std::string>& call : calls) {
+        const ProgramResult refused = run_suffuse(call);
+        EXPECT_EQ(refused.code, 2) << call.back() << refused.out;
+        expect_in("would be written into the run folder", refused.error);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "grains.csv"));
+    const ProgramResult verified = run_suffuse({"verify", "here", "--json"});
+    EXPECT_EQ(verified.json().at("damages").size(), 0U) << verified.out;
+    EXPECT_EQ(verified.json().at("came_later").size(), 0U) << verified.out;
+}
+
 TEST_F(Cli, ContactsTravelNextToAPacking) {
     run_suffuse({"new", "soil", "--from", "replay"});
     ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "here", "--until", "settled"}).code, 0);

@@ -133,6 +133,20 @@ void take_run_folder(const fs::path& folder) {
     }
 }
 
+void require_outside_runs(const fs::path& target) {
+    fs::path folder = fs::weakly_canonical(fs::absolute(target)); // which may be a file
+    for (; folder != folder.root_path(); folder = folder.parent_path()) {
+        std::error_code error;
+        if (fs::exists(folder / record::options_file, error) ||
+            fs::exists(folder / record::resolved_case_file, error)) {
+            throw UsageError(fmt::format(
+                "{} would be written into the run folder {}; give another place, so that no result is overwritten",
+                shown(target.string()), shown(folder.string())
+            ));
+        }
+    }
+}
+
 void save_request(const fs::path& folder, const RunRequest& request) {
     nlohmann::json kept{
         {"case", path_json(request.case_file)},

@@ -27,6 +27,10 @@ std::filesystem::path make_run_folder(const std::filesystem::path& case_file);
 /// Makes `folder`, or takes one that a run began. @throws UsageError for one that holds something else.
 void take_run_folder(const std::filesystem::path& folder);
 
+/// That `target`, a file or a folder to write, is not one of a run or calibration, nor below its folder. @throws
+/// UsageError
+void require_outside_runs(const std::filesystem::path& target);
+
 void save_request(const std::filesystem::path& folder, const RunRequest& request);
 
 /// @throws UsageError where no run began in `folder`.
