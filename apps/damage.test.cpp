@@ -5,6 +5,7 @@
 #include "suffuse/record/sums.hpp"
 
 #include "tests/support/program.hpp"
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <random>
@@ -333,6 +334,27 @@ TEST_F(Damaged, FiguresThatAReportHasNotAnyMoreGoAndThoseOfTheUserStayUnsigned) 
     EXPECT_TRUE(fs::exists(folder / "here/figures/mine.csv"));
     EXPECT_EQ(read_all(folder / "here/SHA256SUMS").find("mine.csv"), std::string::npos);
     EXPECT_EQ(run_suffuse({"verify", "here"}).code, 0);
+}
+
+TEST_F(Damaged, FilesOfTheUserInARunFolderStayUnsigned) {
+    const std::vector<std::string> files = {
+        "notes.txt", "own/notes.txt", "studies/notes.txt", "studies/replay/notes.txt",
+        "studies/replay/settled/notes.txt"};
+    for (const std::string& name : files) {
+        fs::create_directories((folder / "here" / name).parent_path());
+        write_to(folder / "here" / name, "first\n");
+    }
+    const std::string before = read_all(folder / "here/SHA256SUMS");
+    ASSERT_EQ(run_suffuse({"report", "here"}).code, 0);
+    EXPECT_EQ(std::ranges::count(read_all(folder / "here/SHA256SUMS"), '\n'), std::ranges::count(before, '\n'))
+        << "the files of the run still have theirs";
+    EXPECT_EQ(read_all(folder / "here/SHA256SUMS").find("notes.txt"), std::string::npos);
+    for (const std::string& name : files) {
+        write_to(folder / "here" / name, "second\n");
+    }
+    const ProgramResult verified = run_suffuse({"verify", "here", "--json"});
+    EXPECT_EQ(verified.code, 0) << verified.out;
+    EXPECT_EQ(verified.json().at("came_later").size(), files.size());
 }
 
 TEST_F(Damaged, WhatTasksSayAndHiddenFoldersAreNotSignedForTheyGoOnChanging) {

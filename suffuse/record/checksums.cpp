@@ -33,7 +33,15 @@ constexpr std::array<std::string_view, 5> changing = {
 constexpr std::array<std::string_view, 5> inputs = {
     "case.toml", resolved_case_file, options_file, refinement_file, provenance_file};
 
-/// Files of the results below the folder, by name.
+/// Of a run folder: what runs, reports and `suffuse sweep` write there.
+constexpr std::array<std::string_view, 10> results_of_run = {
+    "case.toml",      resolved_case_file, options_file,  refinement_file, provenance_file,
+    "own_rules.json", "summary.json",     "report.html", "tasks.txt",     "submit.sh"};
+
+/// Of the folder of a sample, next to those of its stages.
+constexpr std::array<std::string_view, 3> results_of_sample = {"grains.pvd", "view.py", provenance_file};
+
+/// Files below the folder, by name, that may be results or the user's.
 std::set<std::string> list_results(const fs::path& run) {
     std::set<std::string> names;
     for (auto entry = fs::recursive_directory_iterator(run); entry != fs::recursive_directory_iterator(); ++entry) {
@@ -47,6 +55,21 @@ std::set<std::string> list_results(const fs::path& run) {
     }
     names.erase(checksums_file);
     return names;
+}
+
+/// Whether the program wrote the file, one of list_results. @param figures of the report
+bool is_own(const fs::path& run, const fs::path& name, const std::vector<std::string>& figures) {
+    const std::string file = name.filename(), stem = name.stem();
+    const fs::path folder = name.parent_path();
+    if (folder.empty()) {
+        return std::ranges::count(results_of_run, file) > 0 || stem == "sweep" || stem.starts_with("sweep-") ||
+               stem == "gather";
+    }
+    if (folder == "figures") {
+        return std::ranges::count(figures, file) > 0;
+    }
+    const bool is_of_stage = fs::exists(run / folder / "stage.json") || fs::exists(run / folder / failure_file);
+    return *folder.begin() == "studies" && (is_of_stage || std::ranges::count(results_of_sample, file) > 0);
 }
 
 /// Of a finished stage: its own checksum of the file, or the run's earlier one; nothing where there is neither.
@@ -170,8 +193,7 @@ void write_run_sums(const fs::path& run, const std::vector<std::string>& figures
     std::map<fs::path, std::optional<Sums>> stages;
     for (const std::string& name : list_results(run)) {
         const fs::path file = run / name, folder = file.parent_path();
-        const bool is_in_figures = folder == run / "figures";
-        if (is_in_figures && std::ranges::count(figures, file.filename().string()) == 0) {
+        if (!is_own(run, name, figures)) {
             continue;
         }
         if (file.filename() == checksums_file || !fs::exists(folder / "stage.json")) {

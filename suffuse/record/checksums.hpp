@@ -18,6 +18,7 @@ namespace suffuse::record {
 Sums read_run_sums(const std::filesystem::path& run);
 
 /// Writes them.
+/// Files of the user, which the program did not write, get none.
 /// @param figures names of those that the report has; what else lies next to them is not the run's
 /// @param earlier of the run; a stage that has no checksums of its own keeps these
 /// @throws IoError
