@@ -259,8 +259,8 @@ int new_stack(
     const WrittenCase written = write_case(
         folder,
         {{folder / "case.toml", own_case_text(stack, conditions)},
-         {folder / "data" / (stack.base + ".csv"), own_grading_text(stack.base_curve, curve.path)},
-         {folder / "data" / (stack.filter + ".csv"), own_grading_text(stack.filter_curve, request.filter)}},
+         {folder / "data" / (stack.base + ".csv"), own_grading_text(curve.grading, curve.path)},
+         {folder / "data" / (stack.filter + ".csv"), own_grading_text(filter.grading, request.filter)}},
         console
     );
     const plan::RunPlan& plan = written.plan;
@@ -268,12 +268,19 @@ int new_stack(
         {{"written", written.files},
          {"base_grains", stack.base_grains},
          {"filter_grains", stack.filter_grains},
+         {"left_out", {{"base", stack.base_left_out}, {"filter", stack.filter_left_out}}},
          {"base_thickness", stack.base_thickness},
          {"filter_thickness", stack.filter_thickness},
          {"width", stack.width},
          {"gradient", conditions.gradient.value_or(assumed_base_gradient)},
          {"seconds", {plan.seconds.least, plan.seconds.most}}}
     ));
+    for (const auto& [soil, left_out] :
+         {std::pair{stack.base, stack.base_left_out}, std::pair{stack.filter, stack.filter_left_out}}) {
+        if (!left_out.empty()) {
+            console.talk(fmt::format("left out of {}, for its sizes were not measured: {}", soil, left_out));
+        }
+    }
     console.talk(fmt::format(
         "{} grains of {} on {} of {}; in the preset quick: {} on this machine", count_text(stack.base_grains),
         stack.base, stack.filter_grains, stack.filter, duration_range_text(plan.seconds)

@@ -104,17 +104,6 @@ std::string_view weight_note(const std::optional<FlowWay>& flow) {
                   "--flow level gives them weight.)";
 }
 
-/// The part of the curve that is modeled, where it is not all of it.
-std::string sizes_line(const OwnSoil& soil) {
-    if (soil.left_out.empty()) {
-        return {};
-    }
-    return fmt::format(
-        "sizes = [\"{:.4g} mm\", \"{:.4g} mm\"] #~ without {}\n", 1e3 * soil.grading.diameter.front(),
-        1e3 * soil.grading.diameter.back(), soil.left_out
-    );
-}
-
 } // namespace
 
 std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) {
@@ -131,7 +120,8 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
         fmt::arg("gradient", conditions.gradient.value_or(assumed_gradient)),
         fmt::arg("gradient_mark", site_mark(conditions.gradient)),
         fmt::arg("material", material_text(soil.grading.diameter.back() / soil.grading.diameter.front(), pressure)),
-        fmt::arg("sizes", sizes_line(soil)), fmt::arg("weight_note", weight_note(conditions.flow)),
+        fmt::arg("sizes", sizes_line(soil.grading, soil.left_out)),
+        fmt::arg("weight_note", weight_note(conditions.flow)),
         fmt::arg("gravity", conditions.flow ? gravity_text : std::string_view()),
         fmt::arg("mobility", mobility_stage(conditions, site_mark(conditions.gradient))),
         fmt::arg("direction", direction_text(conditions.flow))

@@ -82,4 +82,14 @@ std::string_view site_mark(const std::optional<double>& given) {
     return given ? "# as specified:" : "#~ yours:";
 }
 
+std::string sizes_line(const grains::Grading& modeled, const std::string& left_out) {
+    if (left_out.empty()) {
+        return {};
+    }
+    return fmt::format(
+        "sizes = [\"{:.4g} mm\", \"{:.4g} mm\"] #~ without {}\n", 1e3 * modeled.diameter.front(),
+        1e3 * modeled.diameter.back(), left_out
+    );
+}
+
 } // namespace suffuse::apps

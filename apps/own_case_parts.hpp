@@ -23,4 +23,7 @@ std::string direction_text(const std::optional<FlowWay>& flow);
 /// "# as specified:", "#~ yours:".
 std::string_view site_mark(const std::optional<double>& given);
 
+/// The key `sizes` of a soil; nothing where nothing is left out.
+std::string sizes_line(const grains::Grading& modeled, const std::string& left_out);
+
 } // namespace suffuse::apps

@@ -4,7 +4,6 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/packing/stack.hpp"
-#include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -42,11 +41,11 @@ unbalanced_force = 3e-3               #~ enough for a base that is about to move
 
 [soil.{base}]
 psd               = "data/{base}.csv"
-grading_tolerance = "{tolerance:.0f} %"           #~
+{base_sizes}grading_tolerance = "{tolerance:.0f} %"           #~
 
 [soil.{filter}]
 psd               = "data/{filter}.csv"
-grading_tolerance = "{tolerance:.0f} %"           #~
+{filter_sizes}grading_tolerance = "{tolerance:.0f} %"           #~
 
 [[study.filter.stage]]
 name   = "cloud"
@@ -101,8 +100,10 @@ OwnStack model_own_stack(
     if (stack.base == stack.filter) {
         stack.filter += "-filter";
     }
-    stack.base_curve = stability::complete_ends(base).front();
-    stack.filter_curve = stability::complete_ends(filter).front();
+    stack.base_curve = measured_part(base, base_name);
+    stack.filter_curve = measured_part(filter, filter_name);
+    stack.base_left_out = left_out_of(base, base.diameter.front(), base.diameter.back());
+    stack.filter_left_out = left_out_of(filter, filter.diameter.front(), filter.diameter.back());
     const double fine = grains::size_at(stack.base_curve, 0.5), coarse = grains::size_at(stack.filter_curve, 0.5);
     if (coarse <= fine) {
         throw CaseError(fmt::format(
@@ -142,6 +143,8 @@ std::string own_case_text(const OwnStack& stack, const OwnConditions& conditions
         fmt::arg("material", material_text(grains::size_at(stack.filter_curve, 1) / finest, pressure)),
         fmt::arg("way", stability::kind_of(way)),
         fmt::arg("down", fmt::format("[{:.4f}, 0, {:.4f}]", 0 - ahead, 0 - rise)),
+        fmt::arg("base_sizes", sizes_line(stack.base_curve, stack.base_left_out)),
+        fmt::arg("filter_sizes", sizes_line(stack.filter_curve, stack.filter_left_out)),
         fmt::arg("tolerance", 100 * stack_tolerance), fmt::arg("base_grains", stack.base_grains),
         fmt::arg("filter_grains", stack.filter_grains), fmt::arg("base_thickness", 1e3 * stack.base_thickness),
         fmt::arg("filter_thickness", 1e3 * stack.filter_thickness), fmt::arg("width", 1e3 * stack.width),

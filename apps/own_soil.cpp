@@ -71,19 +71,6 @@ double rounded(const Grading& grading, double size) {
     return content > 0 && content < 1 ? round : size;
 }
 
-/// What lies beyond the modeled sizes, of the mass that was measured or not.
-std::string left_out_of(const Grading& measured, double finest, double coarsest) {
-    const double fine = grains::passing(measured, finest), coarse = 1 - grains::passing(measured, coarsest);
-    std::string text;
-    if (fine > 0) {
-        text = fmt::format("the {:.3g} % finer than {}", 100 * fine, mm(finest));
-    }
-    if (coarse > 0) {
-        text += fmt::format("{}the {:.3g} % coarser than {}", text.empty() ? "" : " and ", 100 * coarse, mm(coarsest));
-    }
-    return text;
-}
-
 /// @throws CaseError where the split is at an end of what was measured: what lies beyond cannot be modeled.
 void check_both_parts(const Grading& measured, const Grading& whole, const OwnSoil& soil, const std::string& path) {
     const double below = grains::passing(whole, soil.finer_than);
@@ -194,12 +181,28 @@ std::string soil_name(const std::string& path) {
     return name.empty() ? "soil" : name;
 }
 
-OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
-    constexpr double least_grains = 2000;
+Grading measured_part(const Grading& measured, const std::string& path) {
     if (measured.passing.front() >= measured.passing.back()) {
         throw CaseError(fmt::format("{}: there is nothing between its sizes; measure more of the curve", path), path);
     }
-    const Grading whole = grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
+    return grains::part_between(measured, measured.diameter.front(), measured.diameter.back());
+}
+
+std::string left_out_of(const Grading& measured, double finest, double coarsest) {
+    const double fine = grains::passing(measured, finest), coarse = 1 - grains::passing(measured, coarsest);
+    std::string text;
+    if (fine > 0) {
+        text = fmt::format("the {:.3g} % finer than {}", 100 * fine, mm(finest));
+    }
+    if (coarse > 0) {
+        text += fmt::format("{}the {:.3g} % coarser than {}", text.empty() ? "" : " and ", 100 * coarse, mm(coarsest));
+    }
+    return text;
+}
+
+OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
+    constexpr double least_grains = 2000;
+    const Grading whole = measured_part(measured, path);
     const FinesLimit limit = find_limit(measured, spec.finer_than);
     OwnSoil soil;
     soil.name = soil_name(path);

@@ -42,6 +42,13 @@ struct OwnSoilSpec {
 /// "till" of "data/till.csv": in letters, digits, - and _, as tables of a case are named.
 std::string soil_name(const std::string& path);
 
+/// The grains between the ends of a curve alone, from 0 to 100 %: whatever lies beyond an open end has no known size.
+/// @throws CaseError where nothing lies between them
+grains::Grading measured_part(const grains::Grading& measured, const std::string& path);
+
+/// "the 4 % finer than 0.063 mm": what lies beyond the modeled sizes [m], of the mass that was measured or not.
+std::string left_out_of(const grains::Grading& measured, double finest, double coarsest);
+
 /// @param path for messages, and for the soil's name
 /// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
 OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);

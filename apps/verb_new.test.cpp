@@ -83,6 +83,22 @@ TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
     EXPECT_FALSE(std::filesystem::exists(folder / "y"));
 }
 
+TEST_F(NewSoil, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
+    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,30\n0.25,60\n0.3,100\n");
+    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,96\n");
+    const ProgramResult made = run_suffuse({"new", "stack", "--psd", "base.csv", "--filter", "drain.csv", "--json"});
+    ASSERT_EQ(made.code, 0) << made.error;
+    expect_in("left out of base, for its sizes were not measured: the 30 % finer than 0.2 mm", made.error);
+    expect_in("left out of drain, for its sizes were not measured: the 4 % coarser than 1.1 mm", made.error);
+    EXPECT_EQ(made.json().at("left_out").at("base"), "the 30 % finer than 0.2 mm");
+    expect_in("[%]\n0.2,30\n0.25,60\n0.3,100\n", read_all(folder / "stack/data/base.csv")); // as it was measured
+    const std::string text = read_all(folder / "stack/case.toml");
+    expect_in("sizes = [\"0.2 mm\", \"0.3 mm\"] #~ without the 30 % finer than 0.2 mm", text);
+    expect_in("sizes = [\"0.9 mm\", \"1.1 mm\"] #~ without the 4 % coarser than 1.1 mm", text);
+    const ProgramResult assessed = run_suffuse({"assess", "stack/case.toml", "--json"});
+    EXPECT_EQ(assessed.json().at("soils").at(0).at("missing_fine"), 0.3) << assessed.out;
+}
+
 TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
     for (const auto& [way, direction] : {std::pair{"up", "\"z\""}, {"down", "\"-z\""}, {"level", "\"x\""}}) {
         const std::string path = std::string(way) + "/case.toml";
