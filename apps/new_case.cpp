@@ -239,12 +239,12 @@ int new_surrogate(
     return Done;
 }
 
-/// A base on its filter.
+/// A base on its filter. What says how to read a file is about that of the base alone, as it is of assess: they rarely
+/// have columns in common.
 int new_stack(
     const OwnCurve& curve, const SoilRequest& request, const OwnConditions& conditions, const Console& console
 ) {
-    const gradings::GradingFile read =
-        read_one_grading(request.filter, request.filter_sample, request.reading, filter_sample_flag);
+    const gradings::GradingFile read = read_one_grading(request.filter, request.filter_sample, {}, filter_sample_flag);
     print_remarks(read, console);
     const gradings::NamedGrading& filter = read.soils.front();
     const std::string name = filter.name.empty() ? request.filter : filter.name + ".csv";

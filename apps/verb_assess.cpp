@@ -140,6 +140,14 @@ struct AssessVerb final : Verb {
 
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 
+    /// "table.csv --sample TP1 --by number": what names the first soil to another verb.
+    [[nodiscard]] std::string base_words() const {
+        return fmt::format(
+            "{}{}{}", shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample),
+            reading.is_empty() ? "" : " " + gradings::command_words(reading)
+        );
+    }
+
     /// What to type then.
     [[nodiscard]] std::string
     next_step(const std::vector<job::AssessedSoil>& soils, const stability::AssessSpec& spec) const {
@@ -154,10 +162,8 @@ struct AssessVerb final : Verb {
             "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines",
             "neither this soil nor a surrogate of it can be simulated as it was measured; what to do says"};
         return fmt::format(
-            "{}: suffuse {} {}{}{}{}{}", advice[static_cast<std::size_t>(modeling)], has_case ? "run" : "new --psd",
-            shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample),
-            reading.is_empty() ? "" : " " + gradings::command_words(reading),
-            has_case || fines.empty() ? "" : " --fines " + shell_word(fines),
+            "{}: suffuse {} {}{}{}", advice[static_cast<std::size_t>(modeling)], has_case ? "run" : "new --psd",
+            base_words(), has_case || fines.empty() ? "" : " --fines " + shell_word(fines),
             modeling == Modeling::Surrogate ? " --surrogate" : ""
         );
     }
@@ -396,8 +402,8 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml" &&
         is_stack_in_reach(soils.front().measured, soils.front().filter->measured)) {
         console.talk(fmt::format(
-            "how far the base gets into this filter, simulated: suffuse new {}{} --filter {}{}",
-            shell_word(files.front()), sample.empty() ? "" : " --sample " + shell_word(sample), shell_word(filter),
+            "how far the base gets into this filter, simulated: suffuse new {} --filter {}{}", base_words(),
+            shell_word(filter),
             filter_sample.empty() ? "" : fmt::format(" {} {}", filter_sample_flag, shell_word(filter_sample))
         ));
     }

@@ -83,6 +83,22 @@ TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
     EXPECT_FALSE(std::filesystem::exists(folder / "y"));
 }
 
+TEST_F(NewSoil, HowAFileIsReadIsAboutTheBaseAndNotAboutItsFilter) {
+    write_to(folder / "base.csv", "size,share\n0.2,0\n0.23,50\n0.25,50\n");
+    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1,30\n1.1,100\n");
+    const ProgramResult assessed =
+        run_suffuse({"assess", "base.csv", "--by", "number", "--size", "1:mm", "--share", "2", "--filter", "drain.csv"}
+        );
+    ASSERT_EQ(assessed.code, 0) << assessed.error;
+    expect_in("suffuse new base.csv --size 1:mm --share 2 --by number --filter drain.csv", assessed.error);
+    const ProgramResult made = run_suffuse(
+        {"new", "stack", "--psd", "base.csv", "--size", "1:mm", "--share", "2", "--by", "number", "--filter",
+         "drain.csv"}
+    );
+    ASSERT_EQ(made.code, 0) << made.error;
+    expect_in("0.9,0\n1,30\n1.1,100\n", read_all(folder / "stack/data/drain.csv"));
+}
+
 TEST_F(NewSoil, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
     write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,30\n0.25,60\n0.3,100\n");
     write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,96\n");
