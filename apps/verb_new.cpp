@@ -59,13 +59,15 @@ struct NewVerb final : Verb {
         const Option part =
             options.value("--sizes", own.sizes, "with --psd: the part of the curve to model, as in 0.1mm,4mm")
                 .type("FROM,TO");
-        options
-            .flag(
-                "--surrogate", own.surrogate,
-                "with --psd: two fractions stand for a soil too wide to simulate, with its size ratio and fines content"
-            )
-            .excludes(part)
-            .excludes(example);
+        const Option surrogate =
+            options
+                .flag(
+                    "--surrogate", own.surrogate,
+                    "with --psd: two fractions stand for a soil too wide to simulate, with its size ratio and fines "
+                    "content"
+                )
+                .excludes(part)
+                .excludes(example);
         const Option filter = options
                                   .value(
                                       "--filter", own.filter,
@@ -74,6 +76,7 @@ struct NewVerb final : Verb {
                                   )
                                   .type("FILE")
                                   .excludes(part)
+                                  .excludes(surrogate)
                                   .excludes(example);
         options.value(filter_sample_flag, own.filter_sample, "only this sample of the filter's table")
             .type("NAME")
@@ -84,13 +87,15 @@ struct NewVerb final : Verb {
                 "--fines", own.fines,
                 "with --psd: the size below which grains are fine; found on the curve unless given"
             )
-            .type("D");
+            .type("D")
+            .excludes(filter); // a stack is a base and a filter, of as many grains as its layers hold
         options
             .value(
                 "--particles", own.particles, "with --psd: grains of the preset quick; by default as few as possible"
             )
             .type("N")
-            .whole_number(1, 10'000'000);
+            .whole_number(1, 10'000'000)
+            .excludes(filter);
         options.value("--pressure", own.pressure, "with --psd: the effective stress on the soil; 100kPa is assumed")
             .type("P");
         options

@@ -99,6 +99,19 @@ TEST_F(NewSoil, HowAFileIsReadIsAboutTheBaseAndNotAboutItsFilter) {
     expect_in("0.9,0\n1,30\n1.1,100\n", read_all(folder / "stack/data/drain.csv"));
 }
 
+TEST_F(NewSoil, WhatAStackDoesNotKnowIsRefused) {
+    using Words = std::vector<std::string>;
+    for (const Words& words :
+         {Words{"--particles", "50"}, {"--fines", "0.5mm"}, {"--surrogate"}, {"--sizes", "1mm,2mm"}}) {
+        Words all{"new", "x", "--psd", "gap.csv", "--filter", "well.csv"};
+        all.insert(all.end(), words.begin(), words.end());
+        const ProgramResult refused = run_suffuse(all);
+        EXPECT_EQ(refused.code, 2) << words.front();
+        expect_in("excludes", refused.error);
+        expect_in(words.front(), refused.error);
+    }
+}
+
 TEST_F(NewSoil, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
     write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,30\n0.25,60\n0.3,100\n");
     write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,96\n");
