@@ -117,13 +117,13 @@ OwnConditions conditions_of(const SoilRequest& request) {
     return conditions;
 }
 
-void print_assumed(const OwnConditions& conditions, const fs::path& path, const Console& console) {
+void print_assumed(const OwnConditions& conditions, double gradient, const fs::path& path, const Console& console) {
     std::vector<std::string> assumed;
     if (!conditions.pressure) {
         assumed.push_back(fmt::format("a pressure of {}", print_quantity(assumed_pressure, dimension::pressure)));
     }
     if (!conditions.gradient) {
-        assumed.push_back(fmt::format("a gradient of {}", assumed_gradient));
+        assumed.push_back(fmt::format("a gradient of {:g}", gradient));
     }
     if (!assumed.empty()) {
         console.talk(fmt::format(
@@ -272,6 +272,7 @@ int new_stack(
          {"base_thickness", stack.base_thickness},
          {"filter_thickness", stack.filter_thickness},
          {"width", stack.width},
+         {"pressure", conditions.pressure.value_or(assumed_pressure)},
          {"gradient", conditions.gradient.value_or(assumed_base_gradient)},
          {"seconds", {plan.seconds.least, plan.seconds.most}}}
     ));
@@ -285,6 +286,7 @@ int new_stack(
         "{} grains of {} on {} of {}; in the preset quick: {} on this machine", count_text(stack.base_grains),
         stack.base, stack.filter_grains, stack.filter, duration_range_text(plan.seconds)
     ));
+    print_assumed(conditions, assumed_base_gradient, folder / "case.toml", console);
     print_next_steps(folder, console);
     return Done;
 }
@@ -339,7 +341,7 @@ int new_from_soil(const SoilRequest& request, const Console& console) {
         "{} grains in the preset quick: {} on this machine", count_text(soil.quick_grains),
         duration_range_text(plan.seconds)
     ));
-    print_assumed(conditions, written.folder / "case.toml", console);
+    print_assumed(conditions, assumed_gradient, written.folder / "case.toml", console);
     print_next_steps(written.folder, console);
     return Done;
 }

@@ -62,7 +62,7 @@ protocol = "wide"
 [[study.filter.stage]]
 name         = "flow"
 do           = "migrate"
-gradients    = [{gradient:g}]
+gradients    = {gradient:<23}{gradient_mark} the hydraulic gradient in the base
 hold_at_most = "2 s"                  #~ real tests hold a gradient for minutes
 direction    = "z"
 )";
@@ -150,7 +150,8 @@ std::string own_case_text(const OwnStack& stack, const OwnConditions& conditions
         fmt::arg("filter_thickness", 1e3 * stack.filter_thickness), fmt::arg("width", 1e3 * stack.width),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),
         fmt::arg("pressure_mark", site_mark(conditions.pressure)),
-        fmt::arg("gradient", conditions.gradient.value_or(assumed_base_gradient))
+        fmt::arg("gradient", fmt::format("[{:g}]", conditions.gradient.value_or(assumed_base_gradient))),
+        fmt::arg("gradient_mark", site_mark(conditions.gradient))
     );
 }
 

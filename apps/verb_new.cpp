@@ -101,7 +101,9 @@ struct NewVerb final : Verb {
         options
             .value(
                 "-i,--gradient", own.gradient,
-                "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed"
+                "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed, and 1 in a "
+                "base "
+                "on its filter"
             )
             .type("I")
             .ratio(0);

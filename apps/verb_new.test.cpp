@@ -112,6 +112,20 @@ TEST_F(NewSoil, WhatAStackDoesNotKnowIsRefused) {
     }
 }
 
+TEST_F(NewSoil, TheGradientInABaseIsMarkedAndStatedWhereItIsAssumed) {
+    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,0\n0.25,100\n");
+    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,100\n");
+    const ProgramResult assumed = run_suffuse({"new", "a", "--psd", "base.csv", "--filter", "drain.csv"});
+    expect_in("a pressure of 100 kPa and a gradient of 1 are assumed: enter your own in a/case.toml", assumed.error);
+    expect_in(
+        "gradients    = [1]                    #~ yours: the hydraulic gradient", read_all(folder / "a/case.toml")
+    );
+    const ProgramResult given =
+        run_suffuse({"new", "b", "--psd", "base.csv", "--filter", "drain.csv", "-i", "5", "--pressure", "50 kPa"});
+    EXPECT_EQ(given.error.find("assumed"), std::string::npos) << given.error;
+    expect_in("gradients    = [5]                    # as specified:", read_all(folder / "b/case.toml"));
+}
+
 TEST_F(NewSoil, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
     write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,30\n0.25,60\n0.3,100\n");
     write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,96\n");
