@@ -155,6 +155,20 @@ TEST_F(Assess, WritesAPageWithFiguresAndNumbers) {
     EXPECT_EQ(nlohmann::json::parse(read_all(folder / "pages/dyke/assessment.json"))["soil"], "dyke.csv");
 }
 
+TEST_F(Assess, OfSeveralSoilsTheGradientsAreColumns) {
+    write_to(folder / "well.csv", "d [mm],passing [%]\n0.1,0\n0.15,10\n0.25,30\n0.4,55\n0.63,80\n1,100\n");
+    EXPECT_EQ(call("dyke.csv well.csv -i 0.3 --flow up --porosity 0.35"), 0);
+    expect_out("upward seepage, i = 0.3; porosity 0.35");
+    expect_out("T Terzaghi, SB94 Skempton and Brogan 1994, each with its critical gradient");
+    expect_out("s 1.07   ?\n");      // alpha of the gap-graded one is not known
+    expect_out("s 1.07   s 1.07\n"); // the other carries with all its grains
+    EXPECT_EQ(call("dyke.csv well.csv -i 0.3 --flow level"), 0);
+    expect_out("only upward flow lifts grains");
+    EXPECT_EQ(out.find("Terzaghi"), std::string::npos) << out;
+    EXPECT_EQ(call("dyke.csv well.csv"), 0);
+    EXPECT_EQ(out.find("seepage"), std::string::npos) << out;
+}
+
 TEST_F(Assess, TakesTheSoilsOfACase) {
     EXPECT_EQ(call(test::in_checkout("examples/fontainebleau-2016/case.toml") + " --json"), 0);
     const auto soils = nlohmann::json::parse(out)["soils"];

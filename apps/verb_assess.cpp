@@ -426,6 +426,12 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     json document{{"soils", list}, {"remarks", remarks}};
     if (are_many) {
         document["matrix"] = job::matrix_json(soils);
+        if (const auto& seepage = verb.front().spec.seepage) { // what the atlas says of each soil has no room here
+            text += fmt::format(
+                "\n{}{}\ngradients that moved the fines of simulated soils: -o DIR, --json, or one FILE at a time",
+                job::seepage_text(*seepage), seepage->lifts() ? "" : fmt::format("; {}", job::no_heave_text)
+            );
+        }
         if (has_folder) {
             text += "\n" + write_overlay_page(soils, document["matrix"], output, line.typed).string();
         }

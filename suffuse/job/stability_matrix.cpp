@@ -36,6 +36,12 @@ std::string cell_text(const Criterion& criterion) {
     return letters[static_cast<int>(criterion.verdict)] + number;
 }
 
+/// Of a gradient that all soils bear, the critical one is what differs between them.
+std::string gradient_cell(Criterion criterion) {
+    criterion.value = criterion.limit, criterion.measured.reset();
+    return cell_text(criterion);
+}
+
 /// How far on the unstable side a number lies, as a ratio to its limit; nothing where it has none.
 double badness(const Criterion& criterion) {
     if (!criterion.value || !criterion.limit || !(*criterion.limit > 0)) {
@@ -94,12 +100,23 @@ std::string matrix_text(const std::vector<AssessedSoil>& soils) {
         text += fmt::format("  {:7}", short_name(name));
         legend += fmt::format("{}{} {}", legend.empty() ? "" : ", ", short_name(name), name);
     }
+    const std::vector<Criterion>& gradients = soils.front().assessment.gradients; // all soils have these, or none has
+    for (std::size_t k = 0; k < gradients.size(); ++k) {
+        text += fmt::format("  {:7}", short_name(gradients[k].name));
+        legend += fmt::format(
+            ", {} {}{}", short_name(gradients[k].name), gradients[k].name,
+            k + 1 == gradients.size() ? ", each with its critical gradient" : ""
+        );
+    }
     for (const AssessedSoil& soil : soils) {
         const std::string name =
             soil.name.size() > width ? ".." + soil.name.substr(soil.name.size() - width + 2) : soil.name;
         text += fmt::format("\n{:{}}", name, width);
         for (const std::size_t k : columns) {
             text += fmt::format("  {:7}", cell_text(soil.assessment.criteria[k]));
+        }
+        for (const Criterion& gradient : soil.assessment.gradients) {
+            text += fmt::format("  {:7}", gradient_cell(gradient));
         }
         text.erase(text.find_last_not_of(' ') + 1);
     }

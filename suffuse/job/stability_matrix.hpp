@@ -12,8 +12,8 @@ namespace suffuse::job {
 /// The soil that most of the counted criteria call unstable; of several such the one with the least (H/F)min.
 std::size_t find_worst(const std::vector<AssessedSoil>& soils);
 
-/// A line for each soil with verdict and number of each counted criterion, then the worst by name and what the letters
-/// stand for.
+/// A line for each soil with verdict and number of each counted criterion and critical gradient, then the worst by name
+/// and what the letters stand for.
 std::string matrix_text(const std::vector<AssessedSoil>& soils);
 
 /// The same for programs: names, verdicts, numbers, the worst soil of all and of each criterion.
