@@ -11,6 +11,10 @@
 namespace suffuse::atlas {
 namespace {
 
+/// Of a ratio of sizes. Sizes are given with two or three digits, which move it by that much; and a ratio that is
+/// farther outside still differs in the three digits that are printed.
+constexpr double read_error = 0.01;
+
 FilterNode filter_node_of(std::vector<FilterRow> rows) {
     std::vector<double> passed;
     FilterNode node;
@@ -94,6 +98,14 @@ private:
     Grid grid_;
 };
 
+/// The simulated ratio that equals a given one within this error; the given one where there is none.
+double snapped(const std::vector<FilterRow>& rows, double FilterRow::*ratio, double given) {
+    const double nearest =
+        (*std::ranges::min_element(rows, {}, [&](const FilterRow& row) { return std::abs(row.*ratio - given); })).*
+        ratio;
+    return std::abs(given / nearest - 1) <= read_error ? nearest : given;
+}
+
 std::set<double> gradients_of(const std::vector<FilterRow>& rows) {
     std::set<double> gradients;
     for (const FilterRow& row : rows) {
@@ -109,11 +121,14 @@ std::vector<FilterFound> look_up_filter(const std::vector<FilterRow>& rows, doub
     if (rows.empty()) {
         return all;
     }
-    const double narrowest = std::ranges::min(rows, {}, &FilterRow::width).width;
-    const Place place = FilterNodes::place_of(ratio, std::max(width, narrowest));
+    const double wide = std::max(width, std::ranges::min(rows, {}, &FilterRow::width).width);
+    const Place place = FilterNodes::place_of(ratio, wide);
+    const Place edge =
+        FilterNodes::place_of(snapped(rows, &FilterRow::ratio, ratio), snapped(rows, &FilterRow::width, wide));
     for (const double gradient : gradients_of(rows)) {
         const FilterNodes nodes(rows, gradient);
-        const std::vector<Corner> corners = nodes.grid().corners(place);
+        std::vector<Corner> corners = nodes.grid().corners(place);
+        corners = corners.empty() ? nodes.grid().corners(edge) : corners;
         FilterFound found{gradient, {}, corners.size() > 1, nodes.nearest(place)};
         if (!corners.empty()) {
             found.node = nodes.blend(corners);

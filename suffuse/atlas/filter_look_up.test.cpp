@@ -53,6 +53,16 @@ TEST(AtlasOfFilters, OutsideItHasTheNearestBaseAndNoAnswer) {
     EXPECT_TRUE(look_up_filter({}, 4, 1).empty());
 }
 
+TEST(AtlasOfFilters, ABaseAtTheEdgeIsInsideWithinTheErrorOfReadSizes) {
+    const std::vector<FilterRow> rows = plane_of_filters();
+    for (const auto& [ratio, width] : {std::pair(3.97, 2.0), {8.07, 2.0}, {5.0, 4.03}}) {
+        EXPECT_TRUE(look_up_filter(rows, ratio, width).front().node) << ratio << " " << width;
+    }
+    EXPECT_EQ(look_up_filter(rows, 3.97, 4).front().node->ratio, look_up_filter(rows, 4, 4).front().node->ratio);
+    EXPECT_FALSE(look_up_filter(rows, 3.95, 2).front().node);
+    EXPECT_FALSE(look_up_filter(rows, 8.1, 2).front().node);
+}
+
 TEST(AtlasOfFilters, ABaseOfOneSizeCountsAsTheNarrowest) {
     const std::vector<FilterRow> rows = {filter_row(4, 1.2, 0.01), filter_row(8, 1.2, 0.02)};
     EXPECT_TRUE(look_up_filter(rows, 5, 1).front().node);
