@@ -187,6 +187,13 @@ constexpr auto topics = std::to_array<Words<Topic>>({
     {Topic::ResultFiller,
      "coefficient,coeff,coef,coefficiente,of,de,di,d,der,content,percent,percentage,pct,total,size,mm,um,m,value,the,"
      "index,number,particle,grain,limit,specific,by,dry,mass,weight,fraction,f,and"},
+    {Topic::AstmSieves, "astm,e11 ,us mesh,us sieve,us stand,us std,us series,usa stand,u s mesh,u s sieve,u s "
+                        "stand,mesh us ,sieve us ,sieve no us "},
+    {Topic::OtherSieves,
+     "bs mesh,bs sieve,bs test,bs stand,bs410,bs 410,bs 1377,bss ,british mesh,british sieve,british stand,british "
+     "test,mesh bs ,sieve bs ,sieves bs ,sieve no bs ,tyler mesh,tyler sieve,tyler screen,tyler stand,tyler "
+     "series,mesh tyler,sieve tyler,sieves tyler,sieve no tyler"},
+    {Topic::Mesh, "mesh"},
 });
 
 // What docs/gradings.md calls each meaning.
@@ -233,6 +240,8 @@ constexpr auto names_of_topics = std::to_array<Words<Topic>>({
     {Topic::Loss, "row: washed out, counted with the pan"},
     {Topic::Total, "row: total"},
     {Topic::Hydrometer, "title: sedimentation"},
+    {Topic::AstmSieves, "sieve numbers: those of ASTM E11"},
+    {Topic::OtherSieves, "sieve numbers: of another standard, refused"},
 });
 constexpr auto names_of_results = std::to_array<Words<DerivedValue::Kind>>({
     {DerivedValue::Kind::Uniformity, "result: Cu"},

@@ -66,6 +66,9 @@ enum class Topic {
     Units,        ///< what a title says of them
     TotalSample,  ///< "% finer total" next to "% finer -#10"
     ResultFiller, ///< next to the name of a result
+    AstmSieves,   ///< whose numbers they are
+    OtherSieves,  ///< of British Standards or Tyler
+    Mesh,
 };
 
 /// Whether this is a word of the topic.

@@ -8,6 +8,7 @@
 #include "suffuse/gradings/named_columns.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_text.hpp"
+#include "suffuse/gradings/sieve_standard.hpp"
 #include "suffuse/gradings/thousands.hpp"
 
 #include <fmt/format.h>
@@ -166,6 +167,7 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
         return std::nullopt;
     }
     Problems undecided;
+    check_sieve_standard(reading.sheet, reading.tables, undecided);
     settle_thousands(reading.sheet, reading.tables, undecided);
     problems.take_over(undecided);
     return undecided.has_errors() ? std::nullopt : read_tables(reading.tables, problems);
