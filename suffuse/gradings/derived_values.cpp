@@ -162,7 +162,11 @@ std::optional<double> value_in(const DerivedValue& named, std::string_view text,
     text = trimmed(text);
     const bool is_percent = text.ends_with('%');
     const auto number = plain_number(is_percent ? text.substr(0, text.size() - 1) : text, comma);
-    const bool is_ratio = named.kind == Kind::Uniformity || named.kind == Kind::Curvature || named.kind == Kind::Other;
+    const bool is_ratio = named.kind == Kind::Uniformity || named.kind == Kind::Curvature ||
+                          named.kind == Kind::Other || named.kind == Kind::Loss;
+    if (named.kind == Kind::Loss && is_percent) { // "Loss: 0.3 %" is computed from a loss, and none
+        return std::nullopt;
+    }
     return number ? std::optional(is_ratio ? *number : *number / 100) : std::nullopt;
 }
 

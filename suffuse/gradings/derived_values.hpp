@@ -28,6 +28,7 @@ struct DerivedValue {
         Clay,
         Passing, ///< what passes a named sieve
         Largest,
+        Loss,  ///< in sieving: a mass, or percents
         Other, ///< known, and not a matter of the curve alone: fineness modulus, limits, classes
     };
 

@@ -297,7 +297,8 @@ private:
         const auto [found, is_new] = index_.try_emplace(name, soils_.size());
         if (is_new) {
             SievedSoil soil;
-            soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit, soil.column = share.index;
+            soil.name = name, soil.meaning = share.meaning, soil.unit = share.unit, soil.mass_unit = share.mass_unit,
+            soil.column = share.index;
             const SheetRow heads =
                 columns_.first_row > 0 ? sheet_.rows[columns_.first_row - 1] : SheetRow{{}, row.place};
             soil.heading = text_at(heads, share.index), soil.heading_place = place_at(heads, share.index);

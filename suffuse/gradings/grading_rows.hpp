@@ -36,6 +36,8 @@ struct SievedSoil {
     Place heading_place, end;
     std::size_t column = 0;    ///< of the sheet, from 0
     std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
+    double lost = 0;           ///< in sieving, as the sieves' amounts
+    const char* mass_unit = "g";
     std::string size_heading, size_unit = "mm";
     bool is_by_number = false;     ///< shares of the number of grains, not of their mass
     bool is_of_largest = false;    ///< masses without a pan or total are shares of the largest

@@ -132,7 +132,8 @@ void remark_on_count(const SievedSoil& soil, Problems& problems) {
 /// What the sheet calls its total, next to the sum of what the sieves keep. @return whether both may be of one sample
 bool check_total(const SievedSoil& soil, double sum, Problems& problems) {
     constexpr double lost = 0.01; // ASTM D6913: a loss beyond requires another test
-    if (!soil.total || std::abs(*soil.total - sum) <= lost * sum) {
+    const auto is_whole = [&](double whole) { return std::abs(*soil.total - whole) <= lost * whole; };
+    if (!soil.total || is_whole(sum) || is_whole(sum + soil.lost)) {
         return true;
     }
     if (*soil.total > most_off * sum || sum > most_off * *soil.total) {
@@ -151,7 +152,8 @@ bool check_total(const SievedSoil& soil, double sum, Problems& problems) {
     problems.warning(
         sheet_remark, soil.end,
         fmt::format(
-            "the sheet's total is {:.4g} times what its sieves and pan add up to: the sum is taken", *soil.total / sum
+            "the sheet's total is {:.4g} times what its sieves{} add up to: the sum is taken",
+            *soil.total / (sum + soil.lost), soil.lost > 0 ? ", pan and loss" : " and pan"
         )
     );
     return true;
@@ -239,6 +241,12 @@ bool divide_by_total(SievedSoil& soil, Problems& problems) {
         );
         return false;
     }
+    if (soil.dry) { // what was lost is not held, and has not passed the finest sieve
+        *soil.dry -= soil.lost;
+    }
+    if (soil.total && !soil.pan) {
+        *soil.total -= soil.lost;
+    }
     const bool is_good = soil.pan.value_or(0) >= 0 &&
                          std::ranges::all_of(soil.sieves, [](const SieveRow& sieve) { return sieve.amount >= 0; });
     const auto total = is_good ? whole_mass(soil, most, problems) : 0;
@@ -297,6 +305,18 @@ bool divide_by_whole(SievedSoil& soil, Problems& problems) {
     return soil.meaning == ShareMeaning::Passing ? divide_by_most(soil, problems) : divide_by_total(soil, problems);
 }
 
+/// Percents of which some were lost become those of the rest.
+void leave_loss_out(SievedSoil& soil) {
+    constexpr double rounding = 0.01; // as below
+    if (is_weighed_or_counted(soil) || !soil.pan || std::abs(sum_of(soil) + soil.lost - 1) > rounding) {
+        return;
+    }
+    for (SieveRow& sieve : soil.sieves) {
+        sieve.amount /= 1 - soil.lost;
+    }
+    *soil.pan /= 1 - soil.lost;
+}
+
 /// From what each sieve retains to what it and all coarser ones do.
 void add_up(SievedSoil& soil) {
     double retained = 0;
@@ -341,6 +361,7 @@ std::optional<std::vector<GradingPoint>> find_passing(SievedSoil& soil, Problems
     }
     settle_edges(soil, problems);
     if (soil.meaning == ShareMeaning::OnSieve) {
+        leave_loss_out(soil);
         if (!is_weighed_or_counted(soil) && soil.pan && std::abs(sum_of(soil) - 1) > 2 * rounding + 1e-9) {
             problems.error(
                 "E504", soil.end,

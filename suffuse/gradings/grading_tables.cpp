@@ -1,5 +1,6 @@
 #include "suffuse/gradings/grading_tables.hpp"
 
+#include "suffuse/base/units.hpp"
 #include "suffuse/gradings/grading_shares.hpp"
 
 #include <fmt/format.h>
@@ -136,6 +137,33 @@ std::vector<DerivedValue> derived_of(const TableNotes& notes, std::size_t column
     return own;
 }
 
+/// What was lost in sieving is of no known size, and no fines.
+void take_losses(SievedSoil& soil, const std::vector<DerivedValue>& derived, Problems& problems) {
+    for (const DerivedValue& value : derived) {
+        if (value.kind != DerivedValue::Kind::Loss || !value.value) {
+            continue;
+        }
+        const Heading heading = read_heading(value.name); // "Loss (g)"
+        const ShareUnit unit = heading.unit == ShareUnit::Unknown ? soil.unit : heading.unit;
+        const std::string mass_unit = heading.unit == ShareUnit::Mass ? heading.mass_unit : soil.mass_unit;
+        const bool is_mass = unit == ShareUnit::Mass;
+        problems.warning(
+            sheet_remark, value.place,
+            fmt::format(
+                "sieving loss of {:.6g}{}, left out", *value.value,
+                is_mass                      ? " " + mass_unit
+                : unit == ShareUnit::Percent ? " %"
+                                             : ""
+            )
+        );
+        if (is_mass && soil.unit == ShareUnit::Mass) {
+            soil.lost += *value.value * parse_quantity("1 " + mass_unit, dimension::mass);
+        } else if (unit == ShareUnit::Percent && soil.unit == ShareUnit::Percent) {
+            soil.lost += *value.value / 100;
+        }
+    }
+}
+
 SheetReading reading_of(const SievedSoil& soil) {
     const char* const unit = soil.unit == ShareUnit::Mass       ? "mass"
                              : soil.unit == ShareUnit::Count    ? "number"
@@ -153,13 +181,12 @@ points_of(std::vector<SievedSoil> soils, const TableNotes& notes, Problems& prob
     bool is_good = true;
     agree_on_meaning(soils);
     for (SievedSoil& soil : soils) {
+        auto derived = derived_of(notes, soil.column, soils.size() == 1);
+        take_losses(soil, derived, problems);
         auto points = find_passing(soil, problems);
         is_good = is_good && points;
         if (points) {
-            found.push_back(
-                {soil.name, soil.name, std::move(*points), derived_of(notes, soil.column, soils.size() == 1),
-                 reading_of(soil)}
-            );
+            found.push_back({soil.name, soil.name, std::move(*points), std::move(derived), reading_of(soil)});
         }
     }
     return is_good ? std::optional(std::move(found)) : std::nullopt;

@@ -164,7 +164,8 @@ constexpr auto results = std::to_array<Words<DerivedValue::Kind>>({
     {DerivedValue::Kind::Largest, "dmax,maximum"},
     {DerivedValue::Kind::Other,
      "coarse,medium,fine,fm,fineness,modulus,finura,finesse,ll,pl,pi,ip,liquid,plastic,plasticity,gs,gravity,uscs,"
-     "aashto,classification,moisture,water,dmin,siebverlust,loss,mean,median,sorting,skewness,kurtosis"},
+     "aashto,classification,moisture,water,dmin,mean,median,sorting,skewness,kurtosis"},
+    {DerivedValue::Kind::Loss, "loss,losses,lost,siebverlust,perte,pertes,perdida,perdidas,perdita,perdite"},
 });
 
 constexpr auto topics = std::to_array<Words<Topic>>({
@@ -184,9 +185,9 @@ constexpr auto topics = std::to_array<Words<Topic>>({
     {Topic::Hydrometer, "hydromet,sediment,areomet,araomet,schlamm,densimet,pipett"},
     {Topic::Units, "in,en,unit,units,unite,unites,einheit,einheiten,unidad,unidades,unita"},
     {Topic::TotalSample, "total ,totale ,gesamt ,whole "},
-    {Topic::ResultFiller,
-     "coefficient,coeff,coef,coefficiente,of,de,di,d,der,content,percent,percentage,pct,total,size,mm,um,m,value,the,"
-     "index,number,particle,grain,limit,specific,by,dry,mass,weight,fraction,f,and"},
+    {Topic::ResultFiller, "sieving,during,tamisage,tamizado,coefficient,coeff,coef,coefficiente,g,kg,of,de,di,d,der,"
+                          "content,percent,percentage,pct,total,size,mm,um,m,value,the,"
+                          "index,number,particle,grain,limit,specific,by,dry,mass,weight,fraction,f,and"},
     {Topic::AstmSieves, "astm,e11 ,us mesh,us sieve,us stand,us std,us series,usa stand,u s mesh,u s sieve,u s "
                         "stand,mesh us ,sieve us ,sieve no us "},
     {Topic::OtherSieves,
@@ -237,7 +238,8 @@ constexpr auto names_of_share_units = std::to_array<Words<ShareUnit>>({
 });
 constexpr auto names_of_topics = std::to_array<Words<Topic>>({
     {Topic::Pan, "row: pan"},
-    {Topic::Loss, "row: washed out, counted with the pan"},
+    {Topic::Loss, "row: washed out, counted with the pan; the first word, next to one of washing"},
+    {Topic::Washing, "row: word of washing"},
     {Topic::Total, "row: total"},
     {Topic::Hydrometer, "title: sedimentation"},
     {Topic::AstmSieves, "sieve numbers: those of ASTM E11"},
@@ -254,6 +256,7 @@ constexpr auto names_of_results = std::to_array<Words<DerivedValue::Kind>>({
     {DerivedValue::Kind::Clay, "result: clay"},
     {DerivedValue::Kind::Largest, "result: largest size"},
     {DerivedValue::Kind::Other, "result: not compared with the curve"},
+    {DerivedValue::Kind::Loss, "result: sieving loss, left out"},
 });
 
 template <class Meaning, std::size_t N, std::size_t M>

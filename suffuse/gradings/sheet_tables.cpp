@@ -364,6 +364,9 @@ void remark_on_notes(const TableNotes& notes, Problems& problems) {
         }
     }
     for (const DerivedValue& value : notes.derived) {
+        if (value.kind == DerivedValue::Kind::Loss && value.value) { // has a remark of its own
+            continue;
+        }
         results.push_back(fmt::format("`{}`", value.name));
         if (std::ranges::count(results, results.back()) > 1) {
             results.pop_back();
