@@ -99,6 +99,30 @@ void read_top(ReadContext& context, const Node& root, Case& c) {
     v.finish();
 }
 
+/// Densities whose unit was mistaken by a thousand pass every other check.
+void check_densities(ReadContext& context, const Case& c) {
+    constexpr double water = 1000, lightest = 500,
+                     heaviest = 2000; // of liquids [kg/m3]; bromoform and the like are not
+    const auto warn = [&](const char* key, const std::string& what, const char* usual) {
+        const auto found = context.places.find(key);
+        context.problems.warning("W622", found == context.places.end() ? Place{} : found->second, what, usual);
+    };
+    const std::string fluid = print_quantity(c.fluid.density, dimension::density),
+                      grains = print_quantity(c.material.density, dimension::density);
+    if (c.fluid.density < lightest || c.fluid.density > heaviest) {
+        warn(
+            "fluid.density", fmt::format("a fluid of {} is no usual liquid", fluid),
+            "water is \"1000 kg/m^3\", which is \"1 g/cm^3\""
+        );
+    }
+    if (c.material.density < water) {
+        warn(
+            "grain.density", fmt::format("grains of {} are lighter than water", grains),
+            "quartz is \"2650 kg/m^3\", which is \"2.65 g/cm^3\""
+        );
+    }
+}
+
 /// Grains that do not sink have no weight that could hold them.
 void check_sinking(ReadContext& context, const Case& c) {
     if (c.material.density > c.fluid.density) {
@@ -139,6 +163,7 @@ Case bind_case(const Node& root, const std::string& folder, const std::string& p
     read_table(context, root, "contact", [&](Reader& v) { contact_fields(v, c.material, c.damping); });
     read_table(context, root, "balance", [&](Reader& v) { fields(v, c.balance); });
     read_table(context, root, "fluid", [&](Reader& v) { fluid_fields(v, c); });
+    check_densities(context, c);
     read_gravity(context, root, c);
     read_table(context, root, "output", [&](Reader& v) { fields(v, c.output); });
     read_table(context, root, "report", [&](Reader& v) { fields(v, c.report); });

@@ -190,6 +190,10 @@ constexpr std::array code_table = {
         "held. The plane between the layers must stay across the flow, so that no stage may shear the cell; and "
         "`detach`, `erode` and `remove` are for fines within one soil."},
     Code{
+        "W622", "an unlikely density",
+        "A fluid lighter than 500 or heavier than 2000 kg/m^3, or grains lighter than water: was 1 g/cm^3 meant where "
+        "1 kg/m^3 is written? Heave, seepage forces and weights follow from both densities."},
+    Code{
         "E618", "a ramp that begins with heave",
         "With [gravity] the fines bear a gradient that rises. Above (1 - n)(rho_s - rho_f)/rho_f upward seepage lifts "
         "the whole soil: the ramp must begin below."},

@@ -51,6 +51,21 @@ TEST(PhysicsChecks, SkemptonsBNeedsTheStiffnessOfTheFluid) {
     EXPECT_EQ(problems_of(good_case + stage + "[fluid]\nbulk_modulus = \"2.2 GPa\"\n").size(), 0U);
 }
 
+TEST(PhysicsChecks, ADensityThatIsOffByAThousandIsDoubtful) {
+    for (const char* const bad :
+         {"[fluid]\ndensity = \"1 kg/m^3\"\n", "[fluid]\ndensity = \"2500 kg/m^3\"\n",
+          "[grain]\ndensity = \"2.65 kg/m^3\"\n"}) {
+        const Diagnostic found = find_problem(problems_of(good_case + bad), "W622");
+        EXPECT_TRUE(found.is_warning) << bad;
+        EXPECT_EQ(found.line, 16) << bad;
+    }
+    for (const char* const good :
+         {"[fluid]\ndensity = \"1 g/cm^3\"\n", "[fluid]\ndensity = \"800 kg/m^3\"\n",
+          "[grain]\ndensity = \"1050 kg/m^3\"\n"}) {
+        EXPECT_EQ(find_problem(problems_of(good_case + good), "W622").code, "") << good;
+    }
+}
+
 TEST(PhysicsChecks, AGradientAboveTheCriticalOneIsDoubtful) {
     const std::string head = good_case + "[[study.one.stage]]\nname = \"x\"\ndo = \"flow\"\n";
     EXPECT_EQ(problems_of(head + "gradient = 0.9\n").size(), 0U);

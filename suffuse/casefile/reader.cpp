@@ -71,8 +71,13 @@ std::vector<std::string> likely_units(const Key& key, const std::string& digits)
         const auto distance = [&](const std::string& unit) {
             return std::abs(std::log(parse_quantity(digits + " " + unit, key.dimension) / nearest));
         };
+        const bool is_density = key.dimension == dimension::density;
+        if (is_density) { // as textbooks give it
+            units.emplace_back("g/cm^3");
+        }
         if (nearest > 0 && parse_quantity(digits).value > 0) {
             std::ranges::stable_sort(units, {}, distance);
+            units.resize(is_density ? 1 : units.size()); // the other one is off by a thousand
         }
     } catch (const UnitError&) { // a default that is a word: "computed"
     }
