@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <string_view>
 
 namespace suffuse::casefile {
 
@@ -17,10 +18,28 @@ bool check_name(ReadContext& context, const std::string& what, const std::string
     if (!is_good) {
         context.problems.error(
             "E209", place, fmt::format("\"{}\" cannot be the name of a {}", name, what),
-            "names become folders: letters, digits, - and _, at most 64"
+            "names become folders: letters, digits, - and _, with . between them, at most 64"
         );
     }
     return is_good;
+}
+
+bool check_stage_name(ReadContext& context, const std::string& name, const Place& place) {
+    if (!check_name(context, "stage", name, place)) {
+        return false;
+    }
+    // A run writes grains.pvd, view.py, provenance.json and events.jsonl next to the folders of the stages.
+    for (const std::string_view ending : {".pvd", ".py", ".json", ".jsonl"}) {
+        if (name.ends_with(ending)) {
+            context.problems.error(
+                "E209", place,
+                fmt::format("\"{}\" cannot be the name of a stage: a run writes files of that ending", name),
+                fmt::format("leave the {} out", ending)
+            );
+            return false;
+        }
+    }
+    return true;
 }
 
 } // namespace suffuse::casefile

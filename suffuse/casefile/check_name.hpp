@@ -8,4 +8,7 @@ namespace suffuse::casefile {
 /// Letters, digits, - and _, and points within: names become folders. Reports others.
 bool check_name(ReadContext& context, const std::string& what, const std::string& name, const Place& place);
 
+/// Of a stage, whose folder is among files of the sample.
+bool check_stage_name(ReadContext& context, const std::string& name, const Place& place);
+
 } // namespace suffuse::casefile

@@ -106,6 +106,8 @@ const std::vector<Wrong> keys = {
     {"E201", 5, 8, 3, "needs `soil`", with_line(6, "")},
     {"E204", 12, 8, 7, "\"cloud\"", with_line(12, "name = \"cloud\"")},
     {"E209", 9, 8, 6, "cannot be the name", with_line(9, "name = \"../x\"")},
+    {"E209", 9, 8, 12, "leave the .pvd out", with_line(9, "name = \"grains.pvd\"")},
+    {"E209", 9, 8, 9, "leave the .py out", with_line(9, "name = \"view.py\"")},
     {"E401", 13, 8, 7, "\"cloud\"", with_line(13, "from = \"cluod\"\ndo = \"compact\"")},
     {"E401", 13, 8, 2, "starts from \"\", which is no stage", with_line(13, "from = \"\"\ndo = \"compact\"")},
     {"E402", 6, 8, 6, "known are sand", with_line(6, "soil = \"clay\"")},

@@ -39,7 +39,8 @@ constexpr std::array code_table = {
     Code{"W208", "a key of earlier versions", "The key no longer has an effect; the rest of the case is read."},
     Code{
         "E209", "bad name",
-        "Names of studies, soils, stages and presets become folders: letters, digits, - and _, at most 64."},
+        "Names of studies, soils, stages and presets become folders: letters, digits, - and _, with . between them, "
+        "at most 64. The name of a stage has no ending of files that a run writes: .pvd, .py, .json and .jsonl."},
     Code{"E301", "not a quantity", "The text is no number with a unit that the program knows."},
     Code{
         "E310", "no unit",

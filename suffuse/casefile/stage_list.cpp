@@ -58,7 +58,7 @@ std::optional<Stage> read_stage(ReadContext& context, const Node& node, const st
     std::visit([&](auto& spec) { fields(v, spec); }, stage.spec);
     v.finish();
     if (name != nullptr) {
-        check_name(context, "stage", stage.name, name->value.place);
+        check_stage_name(context, stage.name, name->value.place);
     }
     check_measures(context, stage, node);
     return stage;
