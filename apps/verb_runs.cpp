@@ -1,6 +1,7 @@
 // runs: all runs of a folder, each in a line.
 
 #include "suffuse/base/amounts.hpp"
+#include "suffuse/base/shell_word.hpp"
 #include "suffuse/job/run_list.hpp"
 
 #include <fmt/format.h>
@@ -54,7 +55,8 @@ int RunsVerb::act(const CommandLine&, const Console& console) const {
         console.talk(fmt::format("{} in {}", plural(std::ssize(runs), "run"), within.string()));
         if (runs.size() > 1) {
             console.talk(fmt::format(
-                "to compare two: suffuse compare {0}/{1} {0}/{2}", within.string(), runs[0].name, runs[1].name
+                "to compare two: suffuse compare {} {}", shell_word((within / runs[0].name).string()),
+                shell_word((within / runs[1].name).string())
             ));
         }
     }

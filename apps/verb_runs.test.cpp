@@ -23,6 +23,10 @@ TEST_F(Cli, RunsListsAFolderAndSaysHowToCompareTwoOfThem) {
     const ProgramResult listed_json = run_suffuse({"runs", "--json"});
     EXPECT_EQ(listed_json.json()["runs"].size(), 2U);
     EXPECT_EQ(listed_json.json()["runs"][0]["state"], "done");
+    std::filesystem::copy(folder / "runs", folder / "my runs", std::filesystem::copy_options::recursive);
+    expect_in(
+        "suffuse compare 'my runs/a-0001' 'my runs/b-0001'", run_suffuse({"runs", "my runs", "--sort", "name"}).error
+    );
     EXPECT_EQ(run_suffuse({"runs", "nowhere"}).code, 2);
     EXPECT_EQ(run_suffuse({"runs", "--sort", "colour"}).code, 2);
 }
