@@ -40,7 +40,7 @@ private:
         }
         pass_over_bare_masses();
         remark_on_titles(header.row);
-        if (!check_units() || !choose_size() || !choose_shares()) {
+        if (!check_units() || !choose_size() || !choose_shares() || !check_names()) {
             return std::nullopt;
         }
         find_sample_key();
@@ -221,6 +221,22 @@ private:
             const std::string name = soils.size() > 1 ? soil.name : "";
             const Heading& heading = headings_[k];
             found_.shares.push_back({k, {}, name, heading.meaning, heading.unit, true, heading.mass_unit});
+        }
+        return true;
+    }
+
+    /// Soils of one name would be one soil, with each size twice.
+    bool check_names() {
+        for (auto share = found_.shares.begin(); share != found_.shares.end(); ++share) {
+            const auto same = std::ranges::find(found_.shares.begin(), share, share->name, &ShareColumn::name);
+            if (same != share && !share->name.empty()) {
+                problems_.error(
+                    "E506", place_at(*header_, share->index),
+                    fmt::format("columns {} and {} are both `{}`", same->index + 1, share->index + 1, share->name),
+                    "give each soil a heading of its own, or delete one of the two columns"
+                );
+                return false;
+            }
         }
         return true;
     }
