@@ -296,6 +296,9 @@ TEST(SampleRun, IsWrittenWhereTheBrowserTestsWantIt) {
     EXPECT_TRUE(
         write_report(fs::path(folder) / "sample", test::sample_report("Suffusion of a synthetic sand"), page).has_charts
     );
+    ReportData migration = test::sample_report("Fines that migrate");
+    migration.scene = test::sample_migration_scene();
+    EXPECT_TRUE(write_report(fs::path(folder) / "migration", migration, page).has_charts);
     EXPECT_TRUE(write_report(fs::path(folder) / "hostile", test::sample_report(hostile), page).has_charts);
     LivePage live;
     live.title = hostile;

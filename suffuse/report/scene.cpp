@@ -115,6 +115,12 @@ json scene_json(const Scene& scene) {
             {"place", place_column(state)},
             {"coordination", column("u16", clipped<std::uint16_t>(state.coordination))},
             {"contacts", contact_columns(state)}};
+        if (state.time) {
+            one["time"] = *state.time;
+        }
+        if (state.gradient) {
+            one["gradient"] = *state.gradient;
+        }
         if (!state.speed.empty()) {
             one["speed"] = singles(state.speed);
         }
@@ -126,7 +132,7 @@ json scene_json(const Scene& scene) {
         }
         states.push_back(std::move(one));
     }
-    return {
+    json all = {
         {"id", column("u32", scene.id)},
         {"radius", singles(scene.radius)},
         {"fine", column("u8", scene.fine)},
@@ -134,6 +140,14 @@ json scene_json(const Scene& scene) {
         {"flow_direction", {scene.flow_direction.x, scene.flow_direction.y, scene.flow_direction.z}},
         {"gradient", scene.gradient},
         {"states", std::move(states)}};
+    if (!scene.entered_in.empty()) {
+        all["entered_in"] = column("u16", clipped<std::uint16_t>(scene.entered_in));
+    }
+    if (!scene.fate.empty()) {
+        all["fate"] = column("u8", scene.fate);
+        all["fates"] = scene.fates;
+    }
+    return all;
 }
 
 } // namespace suffuse::report

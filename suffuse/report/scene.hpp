@@ -32,7 +32,8 @@ struct SceneCount {
 /// One state. Columns have a row for each grain of the scene; rows of grains that are gone mean nothing.
 struct SceneState {
     std::string label;                      ///< "before erosion", "after pass 1"
-    int passes = 0;                         ///< erosion passes that lie behind it
+    int passes = 0;                         ///< erosion passes that lie behind it; in a migration the state's index
+    std::optional<double> time, gradient;   ///< since the first gradient [s], and hydraulic then; of migrations only
     Mat3 h = identity();                    ///< columns are the cell vectors [m]
     std::vector<Vec3> position;             ///< within the cell [m]
     std::vector<int> coordination;          ///< contacts of the grain
@@ -40,15 +41,18 @@ struct SceneState {
                                             ///< empty without a probe [m/s], [N]
     std::vector<double> mobile_gradient;    ///< that moves it against its weight; not a number where none does, empty
                                             ///< if not requested [-]
-    std::vector<SceneContact> contacts;
-    std::optional<SceneCount> whole; ///< with the contacts that were left out; nothing where none was
+    std::vector<SceneContact> contacts;     ///< of a migration only those of fines that are free to move
+    std::optional<SceneCount> whole;        ///< with the contacts that were left out; nothing where none was
 };
 
 struct Scene {
     std::vector<std::uint32_t> id;  ///< ascending
     std::vector<double> radius;     ///< [m]
     std::vector<std::uint8_t> fine; ///< 1: of the fine fraction
-    std::vector<int> left_in;       ///< pass in which it left; 0: it stays
+    std::vector<int> left_in;       ///< pass in which it left, or state from which it is gone; 0: it stays
+    std::vector<int> entered_in;    ///< state from which it is there; 0: from the first; empty: all are
+    std::vector<std::uint8_t> fate; ///< how its migration ended, by rows of `fates`; empty outside migrations
+    std::vector<std::string> fates; ///< in plain words
     std::vector<SceneState> states; ///< in order of time; empty: no view
     Vec3 flow_direction;            ///< unit vector; zero without water
     double gradient = 0;            ///< hydraulic gradient of the probes [-]
@@ -57,7 +61,8 @@ struct Scene {
 
 /// Whether grain `g` is still there in the state.
 inline bool is_present(const Scene& scene, const SceneState& state, std::size_t g) {
-    return scene.left_in[g] == 0 || scene.left_in[g] > state.passes;
+    const bool has_come = scene.entered_in.empty() || scene.entered_in[g] <= state.passes;
+    return has_come && (scene.left_in[g] == 0 || scene.left_in[g] > state.passes);
 }
 
 SceneCount count_scene(const Scene& scene, const SceneState& state);

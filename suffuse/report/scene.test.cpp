@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/sample_scene.hpp"
+#include <algorithm>
 #include <cstring>
 #include <zlib.h>
 
@@ -76,6 +77,37 @@ TEST(Scene, ContactsThatAreLeftOutStillCount) {
     EXPECT_EQ(counted.mean_force, all.mean_force);
     EXPECT_EQ(counted.strong, all.strong);
     EXPECT_EQ(counted.rattlers, all.rattlers);
+}
+
+TEST(Scene, OfAMigrationSaysWhereAndWhenEachGrainIs) {
+    const Scene scene = test::sample_migration_scene();
+    const nlohmann::json json = scene_json(scene);
+    EXPECT_EQ(column<std::uint8_t>(json.at("fate")), scene.fate);
+    EXPECT_EQ(json.at("fates").get<std::vector<std::string>>(), scene.fates);
+    const auto entered = column<std::uint16_t>(json.at("entered_in"));
+    EXPECT_TRUE(std::equal(entered.begin(), entered.end(), scene.entered_in.begin(), scene.entered_in.end()));
+    std::vector<double> times, gradients;
+    for (const nlohmann::json& state : json.at("states")) {
+        times.push_back(state.at("time"));
+        gradients.push_back(state.at("gradient"));
+    }
+    EXPECT_EQ(times, (std::vector<double>{0, 0.5, 1, 1.5}));
+    EXPECT_EQ(gradients, (std::vector<double>{0.2, 0.2, 0.4, 0.4}));
+    std::vector<std::int64_t> fines;
+    for (const SceneState& state : scene.states) {
+        fines.push_back(count_scene(scene, state).fines);
+    }
+    EXPECT_EQ(fines, (std::vector<std::int64_t>{34, 34, 34, 34})) << "two come in where two others leave";
+    const auto g = static_cast<std::size_t>(
+        std::find(scene.entered_in.begin(), scene.entered_in.end(), 2) - scene.entered_in.begin()
+    );
+    EXPECT_FALSE(is_present(scene, scene.states[1], g));
+    EXPECT_TRUE(is_present(scene, scene.states[2], g));
+    const nlohmann::json passes = scene_json(test::sample_scene());
+    for (const char* name : {"entered_in", "fate", "fates"}) {
+        EXPECT_FALSE(passes.contains(name)) << name;
+    }
+    EXPECT_FALSE(passes.at("states")[0].contains("time") || passes.at("states")[0].contains("gradient"));
 }
 
 /// Indices of a square PNG of one byte a pixel, row by row, each row behind the byte of its filter; checks every chunk.
