@@ -8,10 +8,11 @@ import { colorModes } from "../src/scene/colors.js";
 import { readScene } from "../src/scene/data.js";
 import { grainAt } from "../src/scene/pick.js";
 import { roundLength } from "../src/scene/overlay.js";
+import { pathOf, pathsShown } from "../src/scene/paths.js";
 import { isSoftware, softwareLimit, thinned } from "../src/scene/thin.js";
 
 let browser, page, complaints;
-const choose = (change) => page.evaluate((wanted) => document.querySelector("[data-scene]").view.choose(wanted), change);
+const choose = (change, where = page) => where.evaluate((wanted) => document.querySelector("[data-scene]").view.choose(wanted), change);
 const fresh = { state: 0, mode: "class", coarse: true, fines: true, chains: false, cell: true, size: 1, cut: "none", chosen: -1 };
 
 before(async () => {
@@ -263,16 +264,108 @@ test("scale bars are 1, 2 or 5 times a power of ten", () => {
   assert.deepEqual([0.7, 1, 1.99, 4.9, 12, 0.034].map(roundLength), [0.5, 1, 1, 2, 10, 0.02]);
 });
 
+const packed = (type, Values, list) => ({ type, data: Buffer.from(new Values(list).buffer).toString("base64") });
+
+/** Four fines of diameter 2 mm in a leaning cell 10 mm wide, by the fractions of the first cell vector at which they are in each state. */
+function migration(fractions, more = {}) {
+  const grains = fractions[0].length;
+  const all = (type, Values, value) => packed(type, Values, Array(grains).fill(value));
+  return readScene({
+    id: packed("u32", Uint32Array, fractions[0].map((_, k) => k)), radius: all("f32", Float32Array, 1e-3), fine: all("u8", Uint8Array, 1), left_in: all("u16", Uint16Array, 0),
+    states: fractions.map((row, k) => ({
+      label: `i = 0.${k + 1}, ${k} s`, passes: k, time: k, gradient: (k + 1) / 10, cell: [[0.01, 0, 0], [0.002, 0.01, 0], [0, 0, 0.01]],
+      place: packed("u16", Uint16Array, row.flatMap((a) => [Math.round(65535 * a), 32768, 32768])), coordination: all("u8", Uint8Array, 0),
+      contacts: { ends: packed("u32", Uint32Array, []), period: packed("u8", Uint8Array, []), normal_force: packed("f32", Float32Array, []) },
+    })),
+    ...more,
+  });
+}
+
+test("in a migration, grains are there from the state in which they came until they leave", () => {
+  const scene = migration(Array(4).fill([0, 0, 0, 0]), { left_in: packed("u16", Uint16Array, [0, 2, 0, 3]), entered_in: packed("u16", Uint16Array, [0, 0, 1, 2]) });
+  assert.deepEqual(scene.states.map(({ present }) => [...present]), [[1, 1, 0, 0], [1, 1, 1, 0], [1, 0, 1, 1], [1, 0, 1, 0]]);
+  assert.ok(scene.isMigration);
+  assert.equal(scene.states[3].gradient, 0.4);
+});
+
+test("in a migration, grains are colored by fate, and classes without grains are left out", () => {
+  const fates = ["coarse", "stayed", "lodged elsewhere", "moving at the end", "left", "held: carries the skeleton"];
+  const scene = migration([[0, 0, 0, 0], [0, 0, 0, 0]], { left_in: packed("u16", Uint16Array, [0, 1, 1, 0]), fate: packed("u8", Uint8Array, [1, 4, 4, 3]), fates });
+  const modes = colorModes(scene);
+  assert.equal(modes.pass, undefined, "a migration has no passes");
+  assert.equal(modes.fate.label, "where it ends");
+  const { swatches } = modes.fate.legend(scene.states[0], [0, 1, 2, 3]);
+  assert.deepEqual(swatches.map(({ name, count }) => [name, count]), [["stayed", 1], ["moving at the end", 1], ["left", 2]]);
+  const all = migration([Array(6).fill(0)], { fate: packed("u8", Uint8Array, [0, 1, 2, 3, 4, 5]), fates });
+  assert.equal(new Set([...all.id].map((row) => colorModes(all).fate.color(all.states[0], row).join())).size, 6);
+});
+
+test("paths cross a periodic face by the shorter way, and leave out grains that moved too little", () => {
+  const scene = migration(
+    [[0.8, 0.5, 0.5, 0.5], [0.1, 0.55, 0.5, 0.7], [0.4, 0.5, 0.55, 0.9]],
+    { left_in: packed("u16", Uint16Array, [0, 0, 0, 2]) },
+  );
+  const near = (found, expected) => found.forEach((value, k) => assert.ok(Math.abs(value - expected[k]) < 1e-3, `${found}, not ${expected}`)); // steps of the columns
+  // The first segment ends outside the cell, 3 mm on; the second begins inside.
+  near(pathOf(scene, 0, 2).ends, [9, 5, 5, 12, 5, 5, 2, 5, 5, 5, 5, 5]);
+  near([0, 1, 2, 3].map((row) => pathOf(scene, row, 2).length), [6, 1, 0.5, 2]); // the last is gone in state 2
+  assert.deepEqual(pathOf(scene, 2, 1), { row: 2, ends: [], length: 0 }, "it did not move");
+  assert.deepEqual(pathsShown(scene, 2, -1).map(({ row }) => row), [0, 3]);
+  assert.deepEqual(pathsShown(scene, 0, -1), []);
+  assert.deepEqual(pathsShown(scene, 2, 2).map(({ row, ends }) => [row, ends.length]), [[2, 6]], "the chosen grain alone");
+});
+
+test("a migration is played, shows its paths, and says on the card where a grain went", async () => {
+  const { page, context, complaints } = await open(browser, "migration");
+  await page.waitForFunction(() => document.querySelector("[data-scene]").view);
+  const look = (read) => page.evaluate(`(({ view }) => ${read})(document.querySelector("[data-scene]"))`);
+  assert.deepEqual(await look("Object.keys(view.modes)"), ["class", "activity", "coordination", "fate"]);
+  assert.match(await page.textContent(".overlay .water >> nth=-1"), /water, i = 0.2$/);
+  const play = page.locator('[data-control="play"]');
+  await play.focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await play.getAttribute("aria-label"), "Pause");
+  await page.waitForFunction(() => document.querySelector('[data-control="play"]').textContent === "Play");
+  assert.equal(await look("view.choice.state"), 3, "it stops at the last state");
+  assert.equal(await page.getAttribute('[data-control="state"]', "aria-valuetext"), "i = 0.4, 1.5 s");
+  await settled(page);
+  assert.match(await page.textContent(".overlay .water >> nth=-1"), /water, i = 0.4$/);
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  assert.equal(await play.textContent(), "Play");
+  const paused = await look("view.choice.state"); // 0, or 1 on a slow machine
+  await page.waitForTimeout(1000);
+  assert.equal(await look("view.choice.state"), paused, "nothing moves while paused");
+  await choose({ state: 3 }, page);
+  await choose({ mode: "fate" }, page);
+  const without = await pixels(page);
+  await drawnAfter(page, () => page.locator('[data-control="paths"]').check());
+  // Two channels lodge elsewhere, two move to the end, two fines leave and two come in: all by more than a radius.
+  assert.match(await page.textContent(".stage [role=status]"), /^20 paths shown, of fines/);
+  assert.notEqual((await pixels(page)).print, without.print);
+  await page.locator(".view3d").screenshot({ path: join(samples, "scene-migration.png") });
+  const [left, entered] = await look("[view.scene.leftIn.findIndex((k) => k > 0), view.scene.enteredIn.findIndex((k) => k > 0)]");
+  await choose({ chosen: left }, page);
+  assert.match(await page.textContent(".card"), /leavesleft before i = 0\.4, 1 s/);
+  assert.match(await page.textContent(".card"), /fateleftway so far3\.75 diameters/); // 0.75 mm of 0.2 mm
+  assert.match(await page.textContent(".stage [role=status]"), /^1 path shown, of the chosen grain/);
+  await choose({ chosen: entered }, page);
+  assert.match(await page.textContent(".card"), /entersbefore i = 0\.4, 1 s/);
+  await choose({ chosen: 0 }, page);
+  assert.match(await page.textContent(".card"), /leavesno, it staysfatecoarse/);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("states before the one that was probed show ahead which gradient moves each grain", () => {
-  const packed = (type, Values, ...list) => ({ type, data: Buffer.from(new Values(list).buffer).toString("base64") });
-  const contacts = { ends: packed("u32", Uint32Array), period: packed("u8", Uint8Array), normal_force: packed("f32", Float32Array) };
+  const contacts = { ends: packed("u32", Uint32Array, []), period: packed("u8", Uint8Array, []), normal_force: packed("f32", Float32Array, []) };
   const state = (label, more) => ({
     label, passes: 0, cell: [[1, 0, 0], [0, 1, 0], [0, 0, 1]], contacts, ...more,
-    place: packed("u16", Uint16Array, 0, 0, 0, 9, 9, 9), coordination: packed("u8", Uint8Array, 0, 0),
+    place: packed("u16", Uint16Array, [0, 0, 0, 9, 9, 9]), coordination: packed("u8", Uint8Array, [0, 0]),
   });
   const scene = readScene({
-    id: packed("u32", Uint32Array, 1, 2), radius: packed("f32", Float32Array, 1, 1), fine: packed("u8", Uint8Array, 1, 1), left_in: packed("u8", Uint8Array, 0, 0),
-    states: [state("loose"), state("probed", { mobile_gradient: packed("f32", Float32Array, 0.25, NaN) }), state("after")],
+    id: packed("u32", Uint32Array, [1, 2]), radius: packed("f32", Float32Array, [1, 1]), fine: packed("u8", Uint8Array, [1, 1]), left_in: packed("u8", Uint8Array, [0, 0]),
+    states: [state("loose"), state("probed", { mobile_gradient: packed("f32", Float32Array, [0.25, NaN]) }), state("after")],
   });
   assert.deepEqual(scene.states.map((each) => each.mobileGradient && [...each.mobileGradient]), [[0.25, NaN], [0.25, NaN], null]);
 });

@@ -6,6 +6,7 @@ const coarse = hex("#cfa457");
 const fines = hex("#c8322b");
 const neutral = hex("#b9b5ab");
 const passColors = ["#3b82b8", "#d55e00", "#17ac5b", "#835380", "#c57c92", "#a74346"].map(hex);
+const fateColors = ["#cfa457", "#8f9aa3", "#0072b2", "#56c8e9", "#d55e00", "#4b2e63"].map(hex);
 const viridis = ["#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c", "#28ae80", "#5ec962", "#addc30", "#fde725"].map(hex);
 
 const css = ([r, g, b]) => `rgb(${Math.round(r)} ${Math.round(g)} ${Math.round(b)})`;
@@ -36,14 +37,15 @@ function quantile(values, share) {
   return sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
 }
 
-/** Swatches for classes, each with the number of grains that has it. */
-function classes(list, classOf) {
+/** Swatches for classes, each with the number of grains that has it; without those of no grain if `skipsEmpty`. */
+function classes(list, classOf, skipsEmpty = false) {
   return {
     color: (state, row) => list[classOf(state, row)].color,
     legend: (state, rows) => {
       const count = list.map(() => 0);
       for (const row of rows) ++count[classOf(state, row)];
-      return { swatches: list.map((each, k) => ({ name: each.name, count: count[k], color: css(each.color) })) };
+      const swatches = list.map((each, k) => ({ name: each.name, count: count[k], color: css(each.color) }));
+      return { swatches: swatches.filter((each) => each.count > 0 || !skipsEmpty) };
     },
   };
 }
@@ -103,8 +105,10 @@ export function colorModes(scene) {
       ...scale(scene, (state, row) => state.coordination[row], { unit: "contacts of the grain, Z [-]" }),
     },
   };
-  const at = ` under the water's force, i = ${scene.gradient}`;
-  const unprobed = "coarse, or not probed";
+  // The gradient of a migration changes from state to state.
+  const gradient = scene.isMigration ? "" : `, i = ${scene.gradient}`;
+  const at = scene.isMigration ? "" : ` under the water's force${gradient}`;
+  const unprobed = scene.isMigration ? "coarse, or held" : "coarse, or not probed";
   if (scene.states.some((state) => state.speed)) {
     modes.speed = {
       label: "speed",
@@ -114,7 +118,7 @@ export function colorModes(scene) {
   if (scene.states.some((state) => state.fluidForce)) {
     modes.force = {
       label: "fluid force",
-      ...scale(scene, (state, row) => state.fluidForce?.[row] ?? NaN, { log: true, unit: `F [N], i = ${scene.gradient}`, missing: unprobed }),
+      ...scale(scene, (state, row) => state.fluidForce?.[row] ?? NaN, { log: true, unit: `F [N]${gradient}`, missing: unprobed }),
     };
   }
   if (scene.states.some((state) => state.mobileGradient)) {
@@ -126,8 +130,12 @@ export function colorModes(scene) {
       }),
     };
   }
+  if (scene.fate) {
+    const list = scene.fates.map((name, k) => ({ name, color: fateColors[k % fateColors.length] }));
+    modes.fate = { label: "where it ends", ...classes(list, (_, row) => scene.fate[row], true) };
+  }
   const passes = [...new Set(scene.leftIn)].filter((pass) => pass > 0).sort((a, b) => a - b);
-  if (passes.length > 0) {
+  if (passes.length > 0 && !scene.isMigration) {
     const list = [{ name: "stays", color: neutral }, ...passes.map((pass, k) => ({ name: `leaves in pass ${pass}`, color: passColors[k % passColors.length] }))];
     modes.pass = { label: "pass in which it leaves", ...classes(list, (_, row) => (scene.leftIn[row] ? passes.indexOf(scene.leftIn[row]) + 1 : 0)) };
   }

@@ -24,12 +24,14 @@ function readState(raw, grains) {
     position.set(point(cell, place[k] / 65535, place[k + 1] / 65535, place[k + 2] / 65535), k);
   }
   const coordination = column(raw.coordination);
-  const present = grains.leftIn.map((pass) => (pass === 0 || pass > raw.passes ? 1 : 0));
+  const present = grains.leftIn.map((left, row) => ((grains.enteredIn?.[row] ?? 0) <= raw.passes && (left === 0 || left > raw.passes) ? 1 : 0));
   const ends = column(raw.contacts.ends);
   const period = column(raw.contacts.period);
   const force = column(raw.contacts.normal_force);
   const meanForce = force.length ? force.reduce((sum, f) => sum + f, 0) / force.length : 0;
-  const state = { label: raw.label, passes: raw.passes, cell, position, coordination, present, ends, period, force, meanForce };
+  const state = { label: raw.label, passes: raw.passes, cell, place, position, coordination, present, ends, period, force, meanForce };
+  state.time = raw.time ?? null; // [s], in migrations only
+  state.gradient = raw.gradient ?? null;
   state.speed = raw.speed ? column(raw.speed) : null;
   state.fluidForce = raw.fluid_force ? column(raw.fluid_force) : null;
   state.mobileGradient = raw.mobile_gradient ? column(raw.mobile_gradient) : null;
@@ -42,10 +44,14 @@ export function readScene(raw) {
     radius: column(raw.radius).map((r) => r * mm),
     fine: column(raw.fine),
     leftIn: column(raw.left_in),
+    enteredIn: raw.entered_in ? column(raw.entered_in) : null,
+    fate: raw.fate ? column(raw.fate) : null,
+    fates: raw.fates ?? [],
     flowDirection: raw.flow_direction,
     gradient: raw.gradient,
   };
   scene.states = raw.states.map((state) => readState(state, scene));
+  scene.isMigration = scene.states.some(({ time }) => time !== null);
   // What moves a grain belongs to the packing that was probed. The states before it show it ahead, by the same rows.
   for (let k = scene.states.length - 2; k >= 0; --k) scene.states[k].mobileGradient ??= scene.states[k + 1].mobileGradient;
   scene.rowOf = new Map([...scene.id].map((id, row) => [id, row]));

@@ -38,8 +38,8 @@ export class Overlay {
     for (const css of ["halo", "ring"]) this.node.append(element("circle", { cx: x, cy: y, r: Math.max(radius, 3) + 3, class: css }));
   }
 
-  /** `right`, `up`: the camera's; `perMillimeter`: pixels. */
-  draw(width, height, right, up, perMillimeter) {
+  /** `right`, `up`: the camera's; `perMillimeter`: pixels; `gradient`: what drives the water. */
+  draw(width, height, right, up, perMillimeter, gradient) {
     this.node.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.node.replaceChildren();
     const seen = (v) => [right[0] * v[0] + right[1] * v[1] + right[2] * v[2], up[0] * v[0] + up[1] * v[1] + up[2] * v[2]];
@@ -51,7 +51,7 @@ export class Overlay {
     if (Math.hypot(...flow) > 0) {
       const drawn = seen(flow);
       this.arrow(136 - 20 * drawn[0], y - 12 + 20 * drawn[1], drawn, 40, "", "water");
-      this.node.append(element("text", { x: 136, y: height - 16, "text-anchor": "middle", class: "water" }, `water, i = ${this.scene.gradient}`));
+      this.node.append(element("text", { x: 136, y: height - 16, "text-anchor": "middle", class: "water" }, `water, i = ${gradient}`));
     }
     const length = roundLength((0.2 * width) / perMillimeter);
     const end = width - 20;

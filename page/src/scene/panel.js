@@ -64,6 +64,37 @@ function showLegend(place, { swatches = [], range, unit }) {
   }
 }
 
+const stepTime = 600; // [ms] a state, long enough to see what moved
+
+/** A button that shows one state after the other, from the first again where it is pressed at the last. */
+function playButton(view, last) {
+  const node = make("button", { type: "button" });
+  let timer = null;
+  const show = () => {
+    node.textContent = timer === null ? "Play" : "Pause";
+    node.setAttribute("aria-label", timer === null ? "Play the states up to the last" : "Pause");
+  };
+  const pause = () => {
+    clearTimeout(timer);
+    timer = null;
+    show();
+  };
+  const step = () => {
+    view.choose({ state: view.choice.state + 1 });
+    if (view.choice.state >= last) pause();
+    else timer = setTimeout(step, stepTime);
+  };
+  node.dataset.control = "play";
+  node.addEventListener("click", () => {
+    if (timer !== null) return pause();
+    if (view.choice.state === last) view.choose({ state: 0 });
+    timer = setTimeout(step, stepTime);
+    show();
+  });
+  show();
+  return { node, pause };
+}
+
 /** Builds the controls of `view` into `place`; `run` names the files that are saved. */
 export function addPanel(view, place, stage, run) {
   const { scene } = view;
@@ -75,9 +106,19 @@ export function addPanel(view, place, stage, run) {
   const chooseGrain = (row) => view.choose({ chosen: row });
 
   const nodes = [];
+  let showState = () => {};
   if (scene.states.length > 1) {
     const last = scene.states.length - 1;
-    const states = slider("State", { min: 0, max: last, step: 1, value: 0, say: (k) => scene.states[k].label }, (state) => view.choose({ state }));
+    const states = slider("State", { min: 0, max: last, step: 1, value: 0, say: (k) => scene.states[k].label }, (state) => {
+      play?.pause();
+      view.choose({ state });
+    });
+    const play = scene.isMigration ? playButton(view, last) : null;
+    if (play) states.node.append(play.node);
+    showState = () => {
+      states.input.value = view.choice.state;
+      states.show();
+    };
     states.input.dataset.control = "state";
     nodes.push(group("When", states.node));
   }
@@ -86,19 +127,23 @@ export function addPanel(view, place, stage, run) {
 
   const size = slider("Grain size", { min: 10, max: 100, step: 5, value: 100, say: (v) => `${v} %` }, (v) => view.choose({ size: v / 100 }));
   const least = slider("Forces above", { min: 0, max: strongest, step: 0.25, value: 1, say: (v) => `${v} × mean` }, (v) => view.choose({ least: v }));
+  // Whole grains would hide what is between them.
+  const showBetween = (change) => {
+    const { chains: hasChains, paths: hasPaths } = { ...view.choice, ...change };
+    const [from, to] = hasChains || hasPaths ? [100, 30] : [30, 100];
+    if (Number(size.input.value) === from) {
+      size.input.value = to;
+      size.show();
+    }
+    view.choose({ ...change, size: Number(size.input.value) / 100 });
+  };
   const chains = checkbox("force chains", false, (on) => {
-    if (on && Number(size.input.value) === 100) { // whole grains would hide them
-      size.input.value = 30;
-      size.show();
-    }
-    if (!on && Number(size.input.value) === 30) {
-      size.input.value = 100;
-      size.show();
-    }
     least.node.hidden = !on;
-    view.choose({ chains: on, size: Number(size.input.value) / 100 });
+    showBetween({ chains: on });
   });
   chains.input.dataset.control = "chains";
+  const paths = checkbox("paths", false, (on) => showBetween({ paths: on }));
+  paths.input.dataset.control = "paths";
   least.node.hidden = true;
   const coarse = checkbox("coarse", true, (on) => view.choose({ coarse: on }));
   const fines = checkbox("fines", true, (on) => view.choose({ fines: on }));
@@ -106,7 +151,7 @@ export function addPanel(view, place, stage, run) {
   const cell = checkbox("cell", true, (on) => view.choose({ cell: on }));
   nodes.push(
     group("Grains", modes, legend),
-    group("Show", make("div", { className: "checks" }, coarse.node, fines.node, chains.node, cell.node), size.node, least.node),
+    group("Show", make("div", { className: "checks" }, coarse.node, fines.node, chains.node, ...(scene.isMigration ? [paths.node] : []), cell.node), size.node, least.node),
   );
 
   const at = slider("Position", { min: 0, max: 100, step: 1, value: 50, say: (v) => `${v} %` }, (v) => view.choose({ at: v / 100 }));
@@ -154,9 +199,14 @@ export function addPanel(view, place, stage, run) {
       words.push(`Drawn by software: ${view.rows.length.toLocaleString("en")} of ${(view.rows.length + view.leftOut).toLocaleString("en")} grains are shown, ${what} left out.`);
     }
     if (view.choice.chains) {
-      words.push(`${view.chainsShown.toLocaleString("en")} of ${view.state.force.length.toLocaleString("en")} contacts shown; thickness and ink grow with the normal force up to ${strongest} times its mean.`);
+      words.push(`${view.chainsShown.toLocaleString("en")} of ${view.state.force.length.toLocaleString("en")} contacts${scene.isMigration ? " of free fines" : ""} shown; thickness and ink grow with the normal force up to ${strongest} times its mean.`);
+    }
+    if (view.choice.paths) {
+      const whose = view.choice.chosen < 0 ? "of fines that moved more than half their diameter" : "of the chosen grain";
+      words.push(`${view.pathsShown.toLocaleString("en")} ${view.pathsShown === 1 ? "path" : "paths"} shown, ${whose}.`);
     }
     note.textContent = words.join(" ");
+    showState();
     modes.querySelector("select").value = view.choice.mode;
     wanted.value = view.choice.chosen < 0 ? "" : scene.id[view.choice.chosen];
     showCard(card, scene, view.state, view.choice.chosen, chooseGrain);

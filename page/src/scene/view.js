@@ -1,11 +1,12 @@
-// The picture: grains, force chains and the outline of the cell in one state, seen from where the reader turns it.
+// The picture: grains, force chains, paths and the outline of the cell in one state, seen from where the reader turns it.
 // Drawn on demand only: a page that nobody touches costs nothing.
-import { BufferGeometry, Color, Float32BufferAttribute, LineBasicMaterial, LineSegments, OrthographicCamera, SRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
+import { BufferAttribute, BufferGeometry, Color, Float32BufferAttribute, LineBasicMaterial, LineSegments, OrthographicCamera, Plane, SRGBColorSpace, Scene, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Chains } from "./chains.js";
 import { colorModes } from "./colors.js";
 import { point } from "./data.js";
 import { Overlay } from "./overlay.js";
+import { pathsShown } from "./paths.js";
 import { grainAt } from "./pick.js";
 import { Spheres, sharedUniforms } from "./spheres.js";
 import { isSoftware, softwareLimit, thinned } from "./thin.js";
@@ -23,7 +24,7 @@ export class SceneView {
     this.scene = scene;
     this.place = place;
     this.modes = colorModes(scene);
-    this.choice = { state: 0, mode: "class", coarse: true, fines: true, chains: false, least: 1, cell: true, size: 1, cut: "none", at: 0.5, flip: false, chosen: -1 };
+    this.choice = { state: 0, mode: "class", coarse: true, fines: true, chains: false, least: 1, paths: false, cell: true, size: 1, cut: "none", at: 0.5, flip: false, chosen: -1 };
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { antialias: true, alpha: false });
     if (!context) throw new Error("no WebGL 2");
@@ -42,7 +43,11 @@ export class SceneView {
     this.outline = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, opacity: 0.9 }));
     this.outline.frustumCulled = false;
     this.world = new Scene();
-    this.world.add(this.spheres.mesh, this.chains.mesh, this.outline);
+    this.cutPlane = new Plane();
+    this.renderer.localClippingEnabled = true;
+    this.paths = new LineSegments(new BufferGeometry(), new LineBasicMaterial({ vertexColors: true, clippingPlanes: [this.cutPlane] }));
+    this.paths.frustumCulled = false;
+    this.world.add(this.spheres.mesh, this.chains.mesh, this.outline, this.paths);
 
     const corners = scene.states.flatMap(({ cell }) => [0, 1].flatMap((a) => [0, 1].flatMap((b) => [0, 1].map((c) => point(cell, a, b, c)))));
     this.center = new Vector3(...point(scene.states[0].cell, 0.5, 0.5, 0.5));
@@ -139,6 +144,7 @@ export class SceneView {
     const paper = style.backgroundColor.match(/\d+/g).slice(0, 3).map((c) => c / 255);
     this.uniforms.paper.value.set(...paper);
     this.chainsShown = choice.chains ? this.chains.set(state, choice.least, 0.09 * typical, paper[1] < 0.5) : 0;
+    this.drawPaths(mode);
     const edges = [];
     for (let corner = 0; corner < 8; ++corner) {
       for (let a = 0; a < 3; ++a) {
@@ -151,6 +157,26 @@ export class SceneView {
     this.outline.material.color.setStyle(style.color);
     this.request();
     this.onupdate?.();
+  }
+
+  /** Lines along the ways of the grains up to the state shown, in the colors of the grains. */
+  drawPaths(mode) {
+    const { choice, state, scene } = this;
+    const shown = choice.paths ? pathsShown(scene, choice.state, choice.chosen) : [];
+    this.pathsShown = shown.length;
+    const size = shown.reduce((sum, { ends }) => sum + ends.length, 0);
+    const [places, tints] = [new Float32Array(size), new Float32Array(size)];
+    const tint = new Color();
+    let at = 0;
+    for (const { row, ends } of shown) {
+      places.set(ends, at);
+      tint.setRGB(...mode.color(state, row).map((c) => c / 255), SRGBColorSpace);
+      for (const stop = at + ends.length; at < stop; at += 3) tint.toArray(tints, at);
+    }
+    this.paths.geometry.dispose(); // what the graphics card holds of the lines before
+    this.paths.geometry.setAttribute("position", new BufferAttribute(places, 3));
+    this.paths.geometry.setAttribute("color", new BufferAttribute(tints, 3));
+    this.paths.visible = size > 0;
   }
 
   request() {
@@ -183,14 +209,16 @@ export class SceneView {
   draw() {
     this.camera.updateMatrixWorld();
     this.renderer.setClearColor(new Color().setRGB(...this.uniforms.paper.value, SRGBColorSpace), 1);
-    this.uniforms.clip.value.set(...this.plane());
+    const [a, b, c, most] = this.plane();
+    this.uniforms.clip.value.set(a, b, c, most);
+    this.cutPlane.setComponents(-a, -b, -c, most).applyMatrix4(this.camera.matrixWorld);
     const middle = this.center.clone().applyMatrix4(this.camera.matrixWorldInverse).z;
     this.uniforms.depthRange.value.set(middle - this.reach, middle + this.reach, 0, 0);
     this.renderer.render(this.world, this.camera);
     const m = this.camera.matrixWorld.elements;
     const { clientWidth: width, clientHeight: height } = this.place;
     const perMillimeter = (this.camera.zoom * height) / (this.camera.top - this.camera.bottom);
-    this.overlay.draw(width, height, m.slice(0, 3), m.slice(4, 7), perMillimeter);
+    this.overlay.draw(width, height, m.slice(0, 3), m.slice(4, 7), perMillimeter, this.state.gradient ?? this.scene.gradient);
     const chosen = this.choice.chosen;
     if (chosen >= 0 && this.state.present[chosen]) {
       this.overlay.ring(this.seenAt(chosen), perMillimeter * this.scene.radius[chosen] * this.choice.size);
