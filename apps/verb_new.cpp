@@ -102,8 +102,7 @@ struct NewVerb final : Verb {
             .value(
                 "-i,--gradient", own.gradient,
                 "with --psd: the hydraulic gradient of the seepage, as in 0.4 or 12m/30m; 0.05 is assumed, and 1 in a "
-                "base "
-                "on its filter"
+                "base on its filter"
             )
             .type("I")
             .ratio(0);

@@ -101,8 +101,7 @@ void read_top(ReadContext& context, const Node& root, Case& c) {
 
 /// Densities whose unit was mistaken by a thousand pass every other check.
 void check_densities(ReadContext& context, const Case& c) {
-    constexpr double water = 1000, lightest = 500,
-                     heaviest = 2000; // of liquids [kg/m3]; bromoform and the like are not
+    constexpr double water = 1000, lightest = 500, heaviest = 2000; // [kg/m3]; of liquids, bromoform is heavier
     const auto warn = [&](const char* key, const std::string& what, const char* usual) {
         const auto found = context.places.find(key);
         context.problems.warning("W622", found == context.places.end() ? Place{} : found->second, what, usual);

@@ -72,9 +72,8 @@ void require_same_inputs(const casefile::CalibrationCase& what, const fs::path& 
     const std::string shown_folder = shown(folder.string());
     if (!fs::exists(file)) {
         throw CaseError(fmt::format(
-            "{}: has no {}: an earlier version began this calibration without a record of its settings and data; give "
-            "-o "
-            "another folder",
+            "{}: has no {}: an earlier version began this calibration without a record of its settings and data; "
+            "give -o another folder",
             shown_folder, calibration_inputs_file
         ));
     }

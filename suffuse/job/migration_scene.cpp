@@ -1,0 +1,128 @@
+#include "suffuse/job/migration_scene.hpp"
+
+#include "suffuse/base/grouped.hpp"
+#include "suffuse/base/words.hpp"
+#include "suffuse/job/scene_states.hpp"
+#include "suffuse/record/folder.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace suffuse::job {
+namespace {
+
+namespace fs = std::filesystem;
+using report::Scene;
+using report::SceneState;
+
+fs::path place_of(const fs::path& folder, const record::FinishedStage& stage) {
+    return record::stage_folder(folder, *stage.variant, *stage.stage);
+}
+
+/// Enters all grains of all moments, and when each is there.
+void add_grains(const std::vector<dem::World>& moments, Scene& scene) {
+    struct Seen {
+        double radius = 0;
+        std::uint8_t fine = 0;
+        int first = 0, last = 0;
+    };
+
+    std::map<std::uint32_t, Seen> seen; // by id
+    for (int moment = 0; moment < std::ssize(moments); ++moment) {
+        const grains::Grains& grains = moments[static_cast<std::size_t>(moment)].grains;
+        for (std::size_t g = 0; g < grains.size(); ++g) {
+            const Seen now{grains.radius[g], grains.fine[g], moment, moment};
+            seen.try_emplace(grains.id[g], now).first->second.last = moment;
+        }
+    }
+    const int end = static_cast<int>(std::ssize(moments)) - 1;
+    for (const auto& [id, grain] : seen) {
+        scene.id.push_back(id);
+        scene.radius.push_back(grain.radius);
+        scene.fine.push_back(grain.fine);
+        scene.entered_in.push_back(grain.first);
+        scene.left_in.push_back(grain.last < end ? grain.last + 1 : 0);
+    }
+}
+
+/// In the order of Whereabouts, behind coarse grains.
+const std::vector<std::string> fate_names = {
+    "coarse", "stayed", "lodged elsewhere", "moving at the end", "left", "held: carries the skeleton"};
+
+void add_fates(const erosion::MigrationFates& found, const RowOf& rows, Scene& scene) {
+    scene.fates = fate_names;
+    scene.fate.assign(scene.id.size(), 0);
+    for (std::size_t k = 0; k < found.id.size(); ++k) {
+        if (const auto row = rows.find(found.id[k]); row != rows.end()) { // else it came and left between two moments
+            scene.fate[row->second] = static_cast<std::uint8_t>(1 + static_cast<int>(found.where[k]));
+        }
+    }
+}
+
+/// Brings the forces of free grains to their true size, and leaves the contacts of the skeleton out; what is counted is
+/// still of all.
+void keep_free_contacts(
+    const dem::World& world, const RowOf& rows, double weight_scale, const Scene& scene, SceneState& state
+) {
+    std::vector<bool> is_free(state.position.size());
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        is_free[rows.at(world.grains.id[g])] = world.grains.motion[g] != grains::Motion::Held;
+    }
+    const auto is_of_free = [&](const report::SceneContact& contact) {
+        return is_free[contact.i] || is_free[contact.j];
+    };
+    for (report::SceneContact& contact : state.contacts) {
+        contact.normal_force /= is_of_free(contact) ? weight_scale : 1;
+    }
+    state.whole = report::count_scene(scene, state);
+    std::erase_if(state.contacts, std::not_fn(is_of_free));
+}
+
+} // namespace
+
+const record::FinishedStage*
+watched_migration(const fs::path& folder, const std::vector<record::FinishedStage>& stages) {
+    const auto found = std::ranges::find_if(stages, [&](const record::FinishedStage& stage) {
+        const auto& migration = stage.findings.migration;
+        return migration && !migration->moments.empty() &&
+               fs::exists(record::moment_file(place_of(folder, stage), migration->moments.size() - 1));
+    });
+    return found == stages.end() ? nullptr : &*found;
+}
+
+Scene scene_of_migration(const fs::path& folder, const record::FinishedStage& stage) {
+    const erosion::MigrationResult& migration = *stage.findings.migration;
+    std::vector<dem::World> worlds;
+    for (std::size_t k = 0; k < migration.moments.size(); ++k) {
+        worlds.push_back(load_state(record::moment_file(place_of(folder, stage), k)));
+    }
+    Scene scene;
+    add_grains(worlds, scene);
+    const RowOf rows = rows_of(scene);
+    add_fates(migration.fates, rows, scene);
+    scene.flow_direction = std::get<erosion::MigrateSpec>(stage.stage->spec).direction;
+    for (std::size_t k = 0; k < worlds.size(); ++k) {
+        const erosion::MigrationMoment& moment = migration.moments[k];
+        SceneState state = describe_state(worlds[k], record::moment_file(place_of(folder, stage), k), scene, rows);
+        state.label = k == 0 ? "at rest, before the flow"
+                             : fmt::format("i = {:g}, {}\u00a0s", moment.gradient, short_number(moment.time, 3));
+        state.passes = static_cast<int>(k);
+        state.time = moment.time;
+        state.gradient = moment.gradient;
+        keep_free_contacts(worlds[k], rows, moment.weight_scale, scene, state);
+        scene.gradient = std::max(scene.gradient, moment.gradient);
+        scene.states.push_back(std::move(state));
+    }
+    scene.remark = fmt::format(
+        "The {} grains of {} at {} moments. Contacts are those of fines that are free to move.",
+        grouped(std::ssize(scene.id)), study::in_words_of_sample(stage), scene.states.size()
+    );
+    return scene;
+}
+
+} // namespace suffuse::job
