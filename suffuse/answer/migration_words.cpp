@@ -4,6 +4,7 @@
 #include "suffuse/base/words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -48,6 +49,34 @@ std::string what_left(const FinishedStage& stage) {
         "water up to i = {} carries out {} of the fines in {} s; {}.",
         short_number(highest_gradient(migration_of(stage))), left > 0 ? percent_text(left) : "none",
         short_number(seconds_of(migration_of(stage)), 2), motion_text(stage)
+    );
+}
+
+/// The way of one grain, of which the ledger and the view in 3D have more; empty where none passed a throat.
+std::string story_text(const FinishedStage& stage) {
+    constexpr std::size_t most_holders = 6;
+    const erosion::GrainStory& story = migration_of(stage).story;
+    if (story.throats == 0) {
+        return {};
+    }
+    const std::size_t named = std::min(story.holders.size(), most_holders);
+    const std::string end =
+        story.left >= 0 ? fmt::format("It left after {} s", short_number(story.left))
+        : story.moves   ? "It still moved at the end"
+        : named == 0
+            ? "It lies free"
+            : fmt::format(
+                  "It came to rest at {} {}{}", named == 1 ? "grain" : "grains",
+                  fmt::join(story.holders.begin(), story.holders.begin() + static_cast<std::ptrdiff_t>(named), ", "),
+                  named < story.holders.size() ? " and others" : ""
+              );
+    return fmt::format(
+        "The farthest way through {}: grain {}, {} mm wide, left its place under i = {} after {} s. It passed {} {}, "
+        "the "
+        "narrowest {} mm wide, and went {} mm. {}.",
+        stage.name(), story.id, short_number(1e3 * story.diameter), short_number(story.gradient),
+        short_number(story.departed), story.throats, story.throats == 1 ? "throat" : "throats",
+        short_number(1e3 * story.narrowest), short_number(1e3 * story.way), end
     );
 }
 
@@ -134,6 +163,9 @@ std::optional<figures::PageTable> tabulate_migrations(const std::vector<Finished
     table.title = "Fines that leave";
     table.note = "Shares are of the mass of the fines that were there before. A hold that was cut bounds what leaves "
                  "from below.";
+    if (const std::string story = story_text(*found.front()); !story.empty()) {
+        table.note += " " + story;
+    }
     table.header = {"sample", "gradient [-]", "held [s]", "left", "still moving", "permeability [m²]", "motion"};
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;

@@ -72,6 +72,30 @@ TEST(MigrationWords, CountFinesThatEnteredAmongAll) {
     EXPECT_NE(migration_verdict(run.found()).front().find("50 % of the fines"), std::string::npos);
 }
 
+TEST(MigrationWords, NameTheGrainThatPassedMostThroatsAndItsWay) {
+    MigrationRun run;
+    run.add(0.14, false);
+    const auto note = [&] { return tabulate_migrations(run.stages)->note; };
+    EXPECT_EQ(note().find("farthest way"), std::string::npos) << "no grain has passed a throat";
+    erosion::GrainStory& story = run.stages.front().findings.migration->story;
+    story = {
+        .id = 523,
+        .diameter = 0.19e-3,
+        .departed = 1.2,
+        .gradient = 0.4,
+        .way = 3.1e-3,
+        .throats = 14,
+        .narrowest = 0.21e-3,
+        .holders = {12, 88}};
+    EXPECT_NE(
+        note().find("grain 523, 0.19 mm wide, left its place under i = 0.4 after 1.2 s. It passed 14 throats, the "
+                    "narrowest 0.21 mm wide, and went 3.1 mm. It came to rest at grains 12, 88."),
+        std::string::npos
+    ) << note();
+    story.left = 1.9;
+    EXPECT_NE(note().find("It left after 1.9 s."), std::string::npos) << note();
+}
+
 TEST(MigrationWords, DoubtMotionThatHasNotEndedFirst) {
     MigrationRun run;
     run.add(0.14, false, 0.1);

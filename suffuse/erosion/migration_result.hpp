@@ -139,9 +139,42 @@ struct MigrationLedger {
     [[nodiscard]] std::size_t size() const { return id.size(); }
 };
 
+/// States that a stage keeps over the longest that it may take, and at the ends of its holds: as many as a
+/// reader looks at, and few enough for a disk.
+inline constexpr int moments_kept = 16;
+
+/// A state that was kept for those who look.
+struct MigrationMoment {
+    double time = 0;         ///< since the first gradient [s]
+    double gradient = 0;     ///< prescribed then; 0: at rest before the flow [-]
+    double weight_scale = 1; ///< by which the forces of its fines are too large: WeightScale::factor
+};
+
+/// What became of all fines: a row a grain.
+struct MigrationFates {
+    std::vector<std::uint32_t> id;
+    std::vector<Whereabouts> where;
+};
+
+/// The grain that passed most throats of those that left their place.
+struct GrainStory {
+    std::uint32_t id = 0;
+    double diameter = 0;                ///< [m]
+    double departed = 0, gradient = 0;  ///< when it left its place [s], and under which gradient
+    double way = 0;                     ///< from its start to where it is, or was last [m]
+    std::int32_t throats = 0;           ///< that it passed
+    double narrowest = 0;               ///< diameter of the narrowest [m]
+    double left = -1;                   ///< when it crossed the exit; negative: never [s]
+    bool moves = false;                 ///< when the stage ended
+    std::vector<std::uint32_t> holders; ///< ids of the grains that it touches
+};
+
 struct MigrationResult {
     std::vector<MigrationRow> rows;
     std::vector<MigrationHold> holds;
+    std::vector<MigrationMoment> moments;
+    MigrationFates fates;
+    GrainStory story;                ///< without throats: no grain has passed one
     double fines_mass = 0;           ///< of the sample before [kg]
     double resting_permeability = 0; ///< along the flow, before any grain moves [m2]
     BaseProfile profile;             ///< of a stack

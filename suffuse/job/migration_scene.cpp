@@ -119,7 +119,8 @@ Scene scene_of_migration(const fs::path& folder, const record::FinishedStage& st
         scene.states.push_back(std::move(state));
     }
     scene.remark = fmt::format(
-        "The {} grains of {} at {} moments. Contacts are those of fines that are free to move.",
+        "The {} grains of {} at {} moments. Contacts are those of fines that are free to move. "
+        "Paths join their places at these moments by straight lines.",
         grouped(std::ssize(scene.id)), study::in_words_of_sample(stage), scene.states.size()
     );
     return scene;

@@ -2,9 +2,9 @@
 
 #include "suffuse/base/words.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
-#include "suffuse/dem/inspect.hpp"
+#include "suffuse/job/migration_scene.hpp"
+#include "suffuse/job/scene_states.hpp"
 #include "suffuse/record/folder.hpp"
-#include "suffuse/record/known_state.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 namespace suffuse::job {
 namespace {
@@ -23,17 +22,6 @@ using report::SceneState;
 constexpr std::size_t most_rows = 400'000;     ///< grains x states in a page: beyond, only the first and last state
 constexpr std::size_t most_contacts = 300'000; ///< of a state in a page: beyond, only those above the mean force
 constexpr std::size_t most_stages = 4;         ///< shown of a run without erosion
-
-using RowOf = std::unordered_map<std::uint32_t, std::uint32_t>;
-
-/// @throws IoError where `file` names a grain that the scene does not have.
-std::uint32_t row_of(const RowOf& rows, std::uint32_t id, const std::filesystem::path& file) {
-    const auto found = rows.find(id);
-    if (found == rows.end()) {
-        record::KnownState(file).complain(fmt::format("names the grain {}, which the stage did not start with", id));
-    }
-    return found->second;
-}
 
 /// The columns that do not change, with a row a grain in order of id.
 void add_grains(const dem::World& world, Scene& scene) {
@@ -48,49 +36,6 @@ void add_grains(const dem::World& world, Scene& scene) {
         scene.fine.push_back(world.grains.fine[g]);
     }
     scene.left_in.assign(order.size(), 0);
-}
-
-RowOf rows_of(const Scene& scene) {
-    RowOf rows;
-    for (std::uint32_t row = 0; row < scene.id.size(); ++row) {
-        rows.emplace(scene.id[row], row);
-    }
-    return rows;
-}
-
-void add_contacts(const dem::World& world, const RowOf& rows, SceneState& state) {
-    const Mat3 inverse_h = inverse(state.h);
-    for (const dem::ContactView& view : dem::inspect_contacts(world)) {
-        report::SceneContact contact;
-        contact.i = rows.at(world.grains.id[view.i]);
-        contact.j = rows.at(world.grains.id[view.j]);
-        contact.normal_force = -dot(view.normal_force, view.normal);
-        const double distance = world.grains.radius[view.i] + world.grains.radius[view.j] - view.overlap;
-        const Vec3 touched = state.position[contact.i] + distance * view.normal;
-        const Vec3 periods = inverse_h * (touched - state.position[contact.j]);
-        for (int a = 0; a < 3; ++a) {
-            contact.period[static_cast<std::size_t>(a)] = std::clamp(static_cast<int>(std::lround(periods[a])), -1, 1);
-        }
-        state.contacts.push_back(contact);
-    }
-}
-
-/// @param file that holds `world`
-SceneState
-describe_state(const dem::World& world, const std::filesystem::path& file, const Scene& scene, const RowOf& rows) {
-    SceneState state;
-    state.h = world.cell.h;
-    state.position.resize(scene.id.size());
-    state.coordination.resize(scene.id.size());
-    const Mat3 inverse_h = inverse(world.cell.h);
-    const std::vector<int> coordination = dem::coordination(world);
-    for (std::size_t g = 0; g < world.grains.size(); ++g) {
-        const std::uint32_t row = row_of(rows, world.grains.id[g], file);
-        state.position[row] = cell::wrapped(world.cell.h, inverse_h, world.grains.position[g]);
-        state.coordination[row] = coordination[g];
-    }
-    add_contacts(world, rows, state);
-    return state;
 }
 
 /// What the probe of a pass saw of each fine grain.
@@ -137,10 +82,6 @@ void limit_size(Scene& scene) {
     }
 }
 
-dem::World load(const std::filesystem::path& state) {
-    return record::KnownState(state).load().world;
-}
-
 /// The state after a pass: a file of its own, or that of its stage.
 std::filesystem::path file_after(const std::filesystem::path& folder, const study::StagePass& made) {
     const std::filesystem::path place = record::stage_folder(folder, *made.stage->variant, *made.stage->stage);
@@ -153,7 +94,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const study::Erosion
     const erosion::ErosionResult& erosion = story.erosion;
     const std::filesystem::path place = record::stage_folder(folder, *eroded.variant, *eroded.stage);
     const auto& parent = eroded.variant->stages[static_cast<std::size_t>(eroded.stage->parent)];
-    const dem::World before = load(record::stage_folder(folder, *eroded.variant, parent) / "state.h5");
+    const dem::World before = load_state(record::stage_folder(folder, *eroded.variant, parent) / "state.h5");
     add_grains(before, scene);
     const RowOf rows = rows_of(scene);
     for (const erosion::LedgerRow& row : erosion.ledger) {
@@ -170,7 +111,7 @@ Scene scene_of_erosion(const std::filesystem::path& folder, const study::Erosion
         if (pass > 0 && !std::filesystem::exists(file)) {
             continue; // a run of an earlier version
         }
-        SceneState state = describe_state(pass == 0 ? before : load(file), file, scene, rows);
+        SceneState state = describe_state(pass == 0 ? before : load_state(file), file, scene, rows);
         state.label = pass == 0 ? "before erosion" : fmt::format("after pass {}", pass);
         state.passes = pass;
         if (pass < passes) {
@@ -238,7 +179,7 @@ Scene scene_of_stages(
     RowOf rows;
     for (const casefile::Stage* stage : stages_to_show(finished, last)) {
         const std::filesystem::path file = record::stage_folder(folder, *last.variant, *stage) / "state.h5";
-        const dem::World world = load(file);
+        const dem::World world = load_state(file);
         if (scene.id.empty()) {
             add_grains(world, scene);
             rows = rows_of(scene);
@@ -273,7 +214,9 @@ Scene describe_scene(
     const study::ErosionStory& story
 ) {
     Scene scene;
-    if (story.eroded != nullptr && story.eroded->stage->parent >= 0) {
+    if (const record::FinishedStage* migration = watched_migration(folder, stages)) {
+        scene = scene_of_migration(folder, *migration);
+    } else if (story.eroded != nullptr && story.eroded->stage->parent >= 0) {
         scene = scene_of_erosion(folder, story);
     } else if (!stages.empty()) {
         scene = scene_of_stages(folder, stages, shown_stage(stages));

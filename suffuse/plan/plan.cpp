@@ -4,6 +4,7 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/erosion/migration_result.hpp"
 #include "suffuse/plan/price_stage.hpp"
 #include "suffuse/plan/sum_ranges.hpp"
 #include "suffuse/record/read_import.hpp"
@@ -30,7 +31,10 @@ double disk_of(
     const double tables = record::leaves_tables(what, variant, stage) ? table_disk : 0;
     const auto* const erosion = std::get_if<erosion::ErodeSpec>(&stage.spec);
     const int passes = erosion != nullptr ? erosion->passes : 0; // each leaves a state, and a picture of before
-    const double states = state_disk * std::max(passes, 1) + pictures * picture_disk * (passes + 1);
+    const auto* const migration = std::get_if<erosion::MigrateSpec>(&stage.spec);
+    const bool is_watched = migration != nullptr && what.output.snapshots.when != casefile::Snapshots::When::Never;
+    const auto moments = is_watched ? erosion::moments_kept + static_cast<int>(migration->gradients.size()) + 1 : 0;
+    const double states = state_disk * (std::max(passes, 1) + moments) + pictures * picture_disk * (passes + 1);
     return (states + tables) * static_cast<double>(grains);
 }
 

@@ -124,6 +124,10 @@ std::filesystem::path pass_file(const std::filesystem::path& stage_folder, int p
     return stage_folder / fmt::format("pass-{}.h5", pass);
 }
 
+std::filesystem::path moment_file(const std::filesystem::path& stage_folder, std::size_t moment) {
+    return stage_folder / fmt::format("moment-{}.h5", moment);
+}
+
 std::string case_that_began(const std::filesystem::path& run) {
     const std::filesystem::path file = run / options_file;
     if (!std::filesystem::exists(file)) {

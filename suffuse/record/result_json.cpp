@@ -230,7 +230,12 @@ SUFFUSE_MEMBERS(StackCut, width, along, across, radius, is_base)
 SUFFUSE_MEMBERS(BaseSizes, diameter, mass_share, entered, eroded)
 SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, base_gap, passed, constriction, largest_eroded, before, after, sizes)
 SUFFUSE_MEMBERS(SampleProfile, slices, step, porosity, fines, permeability)
-SUFFUSE_MEMBERS_OR_DEFAULTS(MigrationResult, rows, holds, fines_mass, resting_permeability, profile, filter, sample)
+SUFFUSE_MEMBERS(MigrationMoment, time, gradient, weight_scale)
+SUFFUSE_MEMBERS(MigrationFates, id, where)
+SUFFUSE_MEMBERS(GrainStory, id, diameter, departed, gradient, way, throats, narrowest, left, moves, holders)
+SUFFUSE_MEMBERS_OR_DEFAULTS(
+    MigrationResult, rows, holds, moments, fates, story, fines_mass, resting_permeability, profile, filter, sample
+)
 SUFFUSE_MEMBERS(PassedThroats, count, narrowest, last)
 SUFFUSE_MEMBERS(
     MigrationLedger, id, diameter, mass, start, end, entered, to_exit, departed, departed_at, left, passed, where, goes,

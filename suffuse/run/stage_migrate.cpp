@@ -3,7 +3,9 @@
 #include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/migration.hpp"
+#include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/csv_writer.hpp"
+#include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/migration_numbers.hpp"
 #include "suffuse/run/stage_work.hpp"
@@ -75,9 +77,11 @@ void write_slices(const std::filesystem::path& folder, const erosion::MigrationR
 }
 
 /// Grains that touch each fine grain which is still there, by ids.
-std::map<std::uint32_t, std::set<std::uint32_t>> find_holders(const dem::World& world) {
+using Holders = std::map<std::uint32_t, std::set<std::uint32_t>>;
+
+Holders find_holders(const dem::World& world) {
     const grains::Grains& grains = world.grains;
-    std::map<std::uint32_t, std::set<std::uint32_t>> holders;
+    Holders holders;
     for (const dem::ContactView& contact : dem::inspect_contacts(world)) {
         for (const auto& [g, other] : {std::pair(contact.i, contact.j), std::pair(contact.j, contact.i)}) {
             if (grains.fine[g] != 0) {
@@ -88,10 +92,66 @@ std::map<std::uint32_t, std::set<std::uint32_t>> find_holders(const dem::World& 
     return holders;
 }
 
+erosion::GrainStory story_of_one_grain(const erosion::MigrationLedger& ledger, const Holders& holders) {
+    const auto passed = std::ranges::max_element(ledger.passed, {}, &erosion::PassedThroats::count);
+    if (passed == ledger.passed.end()) {
+        return {};
+    }
+    const auto k = static_cast<std::size_t>(passed - ledger.passed.begin());
+    erosion::GrainStory story{
+        .id = ledger.id[k],
+        .diameter = ledger.diameter[k],
+        .departed = ledger.departed[k],
+        .gradient = ledger.departed_at[k],
+        .way = norm(ledger.end[k] - ledger.start[k]),
+        .throats = passed->count,
+        .narrowest = passed->narrowest,
+        .left = ledger.left[k],
+        .moves = ledger.where[k] == erosion::Whereabouts::Moving};
+    if (const auto held_by = holders.find(story.id); held_by != holders.end()) {
+        story.holders.assign(held_by->second.begin(), held_by->second.end());
+    }
+    return story;
+}
+
+/// Keeps the state for the view over time.
+void keep_moment(const StageWork& work, erosion::Migration& migration) {
+    std::vector<erosion::MigrationMoment>& moments = migration.result.moments;
+    io::Attributes made_by = work.made_by();
+    made_by["stage"] += fmt::format(", moment {}", moments.size());
+    io::save_world(record::moment_file(work.folder, moments.size()), migration.world, {}, made_by);
+    const auto& rows = migration.result.rows;
+    moments.push_back({migration.time, rows.empty() ? 0 : rows.back().gradient, migration.scale.factor});
+}
+
+/// Goes on to the end, and keeps the states of moments_kept.
+void migrate_and_keep_moments(
+    const StageWork& work, const erosion::MigrateSpec& spec, const erosion::Surroundings& around,
+    erosion::Migration& migration
+) {
+    const double longest = spec.hold_at_most * static_cast<double>(spec.gradients.size());
+    const double interval = std::min(longest, spec.time_at_most.value_or(longest)) / erosion::moments_kept;
+    const bool is_kept = work.what.output.snapshots.when != casefile::Snapshots::When::Never;
+    if (is_kept && migration.result.moments.empty()) {
+        keep_moment(work, migration);
+    }
+    while (!migration.over) {
+        const bool settles = migration.settles; // the skeleton moves, and time does not go on
+        const std::size_t holds = migration.result.holds.size();
+        erosion::migrate_on(migration, spec, around);
+        const bool ends = migration.over || migration.settles || migration.result.holds.size() != holds;
+        if (is_kept && !settles && (ends || migration.time >= migration.result.moments.back().time + interval)) {
+            keep_moment(work, migration);
+        }
+    }
+}
+
 /// ledger.csv: a row a fine grain of the sample before.
-void write_ledger(const std::filesystem::path& folder, const erosion::Migration& migration, const Vec3& direction) {
+void write_ledger(
+    const std::filesystem::path& folder, const erosion::Migration& migration, const Holders& holders,
+    const Vec3& direction
+) {
     const erosion::MigrationLedger& ledger = migration.ledger;
-    const auto holders = find_holders(migration.world);
     io::CsvWriter table(
         folder / "ledger.csv",
         "id,d,mass,entered,x0,y0,z0,departed,gradient,left,x,y,z,travel,throats,narrowest,fate,holders"
@@ -125,9 +185,10 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
         migration.world = work.world;
     }
     work.control.save_with([&] { work.save_partial({{"migration", migration}}, migration.world); });
-    while (!migration.over) {
-        erosion::migrate_on(migration, spec, around);
-    }
+    migrate_and_keep_moments(work, spec, around, migration);
+    const Holders holders = find_holders(migration.world);
+    migration.result.fates = {migration.ledger.id, migration.ledger.where};
+    migration.result.story = story_of_one_grain(migration.ledger, holders);
     work.world = erosion::migrated_sample(migration, around.pulse);
     work.history.record(work.world, true);
     work.numbers.update(migration_numbers(migration));
@@ -137,7 +198,7 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
         work.warnings.push_back(work.place() + ": " + remark);
     }
     write_rows(work.folder, migration.result);
-    write_ledger(work.folder, migration, spec.direction);
+    write_ledger(work.folder, migration, holders, spec.direction);
     if (spec.stack) {
         write_profile(work.folder, migration.result);
     } else if (migration.result.sample.slices > 0) {
