@@ -1,29 +1,24 @@
 // assess: assess the internal stability of a soil from its grading, without simulation.
 
-#include "suffuse/atlas/row.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/base/shell_word.hpp"
 #include "suffuse/base/units.hpp"
-#include "suffuse/base/version.hpp"
 #include "suffuse/casefile/load_case.hpp"
 #include "suffuse/grains/sampling.hpp"
-#include "suffuse/io/atomic_file.hpp"
 #include "suffuse/job/assessed_soil.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/job/stability_matrix.hpp"
-#include "suffuse/report/assess_page.hpp"
 #include "suffuse/stability/open_curve.hpp"
 
 #include <fmt/format.h>
 
 #include "apps/alpha_of_run.hpp"
+#include "apps/assess_advice.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
-#include "apps/own_filter.hpp"
-#include "apps/own_soil.hpp"
-#include "apps/own_surrogate.hpp"
+#include "apps/playground.hpp"
 #include "apps/shared_options.hpp"
 #include "apps/stability_pages.hpp"
 #include "apps/typed_value.hpp"
@@ -47,25 +42,9 @@ bool is_folder(const std::string& file) {
     return fs::is_directory(file);
 }
 
-/// How `suffuse new` can model a curve. None: it says why, and which part it can.
-enum class Modeling { Whole, Surrogate, None };
-
-Modeling modeling_of(const grains::Grading& measured, const std::optional<double>& finer_than) {
-    try {
-        model_own_soil(measured, "", {{}, {}, finer_than});
-        return Modeling::Whole;
-    } catch (const CaseError&) {
-        return is_surrogate_in_reach(measured, finer_than, most_quick_grains) ? Modeling::Surrogate : Modeling::None;
-    }
-}
-
-bool is_stack_in_reach(const grains::Grading& base, const grains::Grading& filter) {
-    try {
-        model_own_stack(base, "base", filter, "filter", "");
-        return true;
-    } catch (const CaseError&) {
-        return false;
-    }
+/// A case, or a run of one.
+bool of_case(const std::string& file) {
+    return file.ends_with(".toml") || is_folder(file);
 }
 
 struct AssessVerb final : Verb {
@@ -155,17 +134,8 @@ struct AssessVerb final : Verb {
             return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
                                   : "suffuse assess FILE shows one of them in full";
         }
-        const bool has_case = files.front().ends_with(".toml") || is_folder(files.front());
-        const Modeling modeling = has_case ? Modeling::Whole : modeling_of(soils.front().measured, spec.finer_than);
-        constexpr const char* advice[] = {
-            "to find how many grains are free to move, simulate",
-            "this soil is too wide to simulate whole; a surrogate shows which gradient moves its fines",
-            "neither this soil nor a surrogate of it can be simulated as it was measured; what to do says"};
-        return fmt::format(
-            "{}: suffuse {} {}{}{}", advice[static_cast<std::size_t>(modeling)], has_case ? "run" : "new --psd",
-            base_words(), has_case || fines.empty() ? "" : " --fines " + shell_word(fines),
-            modeling == Modeling::Surrogate ? " --surrogate" : ""
-        );
+        return of_case(files.front()) ? advise_run(base_words())
+                                      : advise_new(soils.front().measured, base_words(), fines, spec.finer_than);
     }
 };
 
@@ -246,7 +216,7 @@ std::vector<MeasuredSoil>
 read_all(const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks) {
     std::vector<MeasuredSoil> soils;
     for (const std::string& file : verb.files) {
-        if (file.ends_with(".toml") || is_folder(file)) {
+        if (of_case(file)) {
             add_case_soils(verb, file, spec, console, soils);
             continue;
         }
@@ -311,49 +281,6 @@ fs::path page_file(const AssessVerb& verb) {
     return has_one_name ? fs::path(verb.files.front()).stem().string() + "-stability.html" : std::string("assess.html");
 }
 
-/// Where the program found a soil in the atlas.
-std::optional<report::PagePlace> place_of(const json& about) {
-    const json list = about.value("atlas", json::array());
-    if (list.empty()) {
-        return std::nullopt;
-    }
-    report::PagePlace place{list.front().at("size_ratio"), list.front().at("fines_content")};
-    for (const json& entry : list) {
-        const bool is_inside = entry.at("inside");
-        place.is_inside = place.is_inside || is_inside;
-        if (is_inside && entry.at("flow") == atlas::name_of(atlas::Flow::Up) && !entry.at("wide_fines").get<bool>()) {
-            place.upward.push_back(entry);
-        }
-    }
-    return place;
-}
-
-std::string write_playground(
-    const AssessVerb& verb, const stability::AssessSpec& spec, const std::vector<job::AssessedSoil>& soils,
-    const json& about
-) {
-    std::vector<report::PageSoil> shown_soils;
-    for (std::size_t k = 0; k < soils.size(); ++k) {
-        const grains::Grading& measured = soils[k].measured;
-        shown_soils.push_back(
-            {soils[k].name, measured.diameter, measured.passing, about[k].value("filter", json(nullptr)),
-             place_of(about[k])}
-        );
-    }
-    report::PageSeepage seepage;
-    if (spec.seepage && spec.seepage->way() == stability::upward) { // its sliders know no other
-        seepage = {
-            spec.seepage->gradient, spec.seepage->porosity, spec.seepage->grain_density, spec.seepage->stress_share};
-    }
-    const fs::path file = page_file(verb);
-    std::error_code none;
-    fs::create_directories(file.parent_path(), none); // where that fails, writing says so
-    io::write_file(
-        file, report::assess_page(shown_soils, seepage, fmt::format("suffuse {} ({})", version(), commit()))
-    );
-    return file.string();
-}
-
 json reading_json(const gradings::SheetReading& reading, const json& remarks) {
     return {{"size", reading.size}, {"unit", reading.size_unit},        {"share", reading.share},
             {"kind", reading.kind}, {"share_unit", reading.share_unit}, {"remarks", remarks}};
@@ -399,23 +326,24 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (!filter.empty()) {
         add_filter(*this, console, soils);
     }
-    if (!filter.empty() && soils.size() == 1 && fs::path(files.front()).extension() != ".toml" &&
-        is_stack_in_reach(soils.front().measured, soils.front().filter->measured)) {
-        console.talk(fmt::format(
-            "how far the base gets into this filter, simulated: suffuse new {} --filter {}{}", base_words(),
-            shell_word(filter),
-            filter_sample.empty() ? "" : fmt::format(" {} {}", filter_sample_flag, shell_word(filter_sample))
-        ));
+    if (!filter.empty() && soils.size() == 1 && !of_case(files.front())) {
+        const std::string of_sample =
+            filter_sample.empty() ? "" : fmt::format(" {} {}", filter_sample_flag, shell_word(filter_sample));
+        const std::string advice = advise_stack(
+            soils.front().measured, soils.front().filter->measured,
+            fmt::format("{} --filter {}{}", base_words(), shell_word(filter), of_sample)
+        );
+        if (!advice.empty()) {
+            console.talk(advice);
+        }
     }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
+    const auto& seepage = verb.front().spec.seepage;
     std::string text =
-        are_many ? job::matrix_text(soils) : job::text_of(soils.front(), verb.front().spec, terminal_width());
+        are_many ? job::matrix_text(soils, seepage) : job::text_of(soils.front(), verb.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
         list.push_back(job::soil_json(soils[k], verb[k].spec));
-        if (are_many && soils[k].filter) {
-            text += fmt::format("\n\n{}\n{}", soils[k].name, job::filter_text(*soils[k].filter));
-        }
         if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
             const std::string page = write_soil_page(soils[k], verb[k].spec, list.back(), folder, line.typed).string();
@@ -426,12 +354,6 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     json document{{"soils", list}, {"remarks", remarks}};
     if (are_many) {
         document["matrix"] = job::matrix_json(soils);
-        if (const auto& seepage = verb.front().spec.seepage) { // what the atlas says of each soil has no room here
-            text += fmt::format(
-                "\n{}{}\ngradients that moved the fines of simulated soils: -o DIR, --json, or one FILE at a time",
-                job::seepage_text(*seepage), seepage->lifts() ? "" : fmt::format("; {}", job::no_heave_text)
-            );
-        }
         if (has_folder) {
             text += "\n" + write_overlay_page(soils, document["matrix"], output, line.typed).string();
         }
@@ -442,9 +364,11 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         text += "\n" + output;
     }
     if (wants_page) {
-        document["page"] = write_playground(*this, verb.front().spec, soils, list);
-        text += "\n" + document["page"].get<std::string>();
-        if (const auto& seepage = verb.front().spec.seepage; seepage && seepage->way() != stability::upward) {
+        const fs::path page = page_file(*this);
+        write_playground(page, soils, seepage, list);
+        document["page"] = page.string();
+        text += "\n" + page.string();
+        if (seepage && seepage->way() != stability::upward) {
             console.talk("the sliders of the page are of upward seepage: it does not show yours");
         }
     }

@@ -141,10 +141,10 @@ struct MigrationLedger {
 
 /// States that a stage keeps over the longest that it may take, and at the ends of its holds: as many as a
 /// reader looks at, and few enough for a disk.
-inline constexpr int moments_kept = 16;
+inline constexpr int frames_kept = 16;
 
 /// A state that was kept for those who look.
-struct MigrationMoment {
+struct MigrationFrame {
     double time = 0;         ///< since the first gradient [s]
     double gradient = 0;     ///< prescribed then; 0: at rest before the flow [-]
     double weight_scale = 1; ///< by which the forces of its fines are too large: WeightScale::factor
@@ -172,7 +172,7 @@ struct GrainStory {
 struct MigrationResult {
     std::vector<MigrationRow> rows;
     std::vector<MigrationHold> holds;
-    std::vector<MigrationMoment> moments;
+    std::vector<MigrationFrame> frames;
     MigrationFates fates;
     GrainStory story;                ///< without throats: no grain has passed one
     double fines_mass = 0;           ///< of the sample before [kg]

@@ -24,8 +24,8 @@ fs::path place_of(const fs::path& folder, const record::FinishedStage& stage) {
     return record::stage_folder(folder, *stage.variant, *stage.stage);
 }
 
-/// Enters all grains of all moments, and when each is there.
-void add_grains(const std::vector<dem::World>& moments, Scene& scene) {
+/// Enters all grains of all frames, and when each is there.
+void add_grains(const std::vector<dem::World>& frames, Scene& scene) {
     struct Seen {
         double radius = 0;
         std::uint8_t fine = 0;
@@ -33,14 +33,14 @@ void add_grains(const std::vector<dem::World>& moments, Scene& scene) {
     };
 
     std::map<std::uint32_t, Seen> seen; // by id
-    for (int moment = 0; moment < std::ssize(moments); ++moment) {
-        const grains::Grains& grains = moments[static_cast<std::size_t>(moment)].grains;
+    for (int frame = 0; frame < std::ssize(frames); ++frame) {
+        const grains::Grains& grains = frames[static_cast<std::size_t>(frame)].grains;
         for (std::size_t g = 0; g < grains.size(); ++g) {
-            const Seen now{grains.radius[g], grains.fine[g], moment, moment};
-            seen.try_emplace(grains.id[g], now).first->second.last = moment;
+            const Seen now{grains.radius[g], grains.fine[g], frame, frame};
+            seen.try_emplace(grains.id[g], now).first->second.last = frame;
         }
     }
-    const int end = static_cast<int>(std::ssize(moments)) - 1;
+    const int end = static_cast<int>(std::ssize(frames)) - 1;
     for (const auto& [id, grain] : seen) {
         scene.id.push_back(id);
         scene.radius.push_back(grain.radius);
@@ -58,7 +58,7 @@ void add_fates(const erosion::MigrationFates& found, const RowOf& rows, Scene& s
     scene.fates = fate_names;
     scene.fate.assign(scene.id.size(), 0);
     for (std::size_t k = 0; k < found.id.size(); ++k) {
-        if (const auto row = rows.find(found.id[k]); row != rows.end()) { // else it came and left between two moments
+        if (const auto row = rows.find(found.id[k]); row != rows.end()) { // else it came and left between two frames
             scene.fate[row->second] = static_cast<std::uint8_t>(1 + static_cast<int>(found.where[k]));
         }
     }
@@ -89,38 +89,43 @@ const record::FinishedStage*
 watched_migration(const fs::path& folder, const std::vector<record::FinishedStage>& stages) {
     const auto found = std::ranges::find_if(stages, [&](const record::FinishedStage& stage) {
         const auto& migration = stage.findings.migration;
-        return migration && !migration->moments.empty() &&
-               fs::exists(record::moment_file(place_of(folder, stage), migration->moments.size() - 1));
+        return migration && !migration->frames.empty() &&
+               fs::exists(record::frame_file(place_of(folder, stage), migration->frames.size() - 1));
     });
     return found == stages.end() ? nullptr : &*found;
 }
 
-Scene scene_of_migration(const fs::path& folder, const record::FinishedStage& stage) {
-    const erosion::MigrationResult& migration = *stage.findings.migration;
-    std::vector<dem::World> worlds;
-    for (std::size_t k = 0; k < migration.moments.size(); ++k) {
-        worlds.push_back(load_state(record::moment_file(place_of(folder, stage), k)));
-    }
+Scene scene_of_frames(const std::vector<dem::World>& frames, const erosion::MigrationResult& migration) {
     Scene scene;
-    add_grains(worlds, scene);
+    add_grains(frames, scene);
     const RowOf rows = rows_of(scene);
     add_fates(migration.fates, rows, scene);
-    scene.flow_direction = std::get<erosion::MigrateSpec>(stage.stage->spec).direction;
-    for (std::size_t k = 0; k < worlds.size(); ++k) {
-        const erosion::MigrationMoment& moment = migration.moments[k];
-        SceneState state = describe_state(worlds[k], record::moment_file(place_of(folder, stage), k), scene, rows);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+        const erosion::MigrationFrame& frame = migration.frames[k];
+        SceneState state = describe_state(frames[k], {}, scene, rows);
         state.label = k == 0 ? "at rest, before the flow"
-                             : fmt::format("i = {:g}, {}\u00a0s", moment.gradient, short_number(moment.time, 3));
+                             : fmt::format("i = {:g}, {}\u00a0s", frame.gradient, short_number(frame.time, 3));
         state.passes = static_cast<int>(k);
-        state.time = moment.time;
-        state.gradient = moment.gradient;
-        keep_free_contacts(worlds[k], rows, moment.weight_scale, scene, state);
-        scene.gradient = std::max(scene.gradient, moment.gradient);
+        state.time = frame.time;
+        state.gradient = frame.gradient;
+        keep_free_contacts(frames[k], rows, frame.weight_scale, scene, state);
+        scene.gradient = std::max(scene.gradient, frame.gradient);
         scene.states.push_back(std::move(state));
     }
+    return scene;
+}
+
+Scene scene_of_migration(const fs::path& folder, const record::FinishedStage& stage) {
+    const erosion::MigrationResult& migration = *stage.findings.migration;
+    std::vector<dem::World> frames;
+    for (std::size_t k = 0; k < migration.frames.size(); ++k) {
+        frames.push_back(load_state(record::frame_file(place_of(folder, stage), k)));
+    }
+    Scene scene = scene_of_frames(frames, migration);
+    scene.flow_direction = std::get<erosion::MigrateSpec>(stage.stage->spec).direction;
     scene.remark = fmt::format(
-        "The {} grains of {} at {} moments. Contacts are those of fines that are free to move. "
-        "Paths join their places at these moments by straight lines.",
+        "The {} grains of {} at {} times. Contacts are those of fines that are free to move. "
+        "Paths join their places at these times by straight lines.",
         grouped(std::ssize(scene.id)), study::in_words_of_sample(stage), scene.states.size()
     );
     return scene;

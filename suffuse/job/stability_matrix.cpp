@@ -88,7 +88,7 @@ std::size_t find_worst(const std::vector<AssessedSoil>& soils) {
     return static_cast<std::size_t>(least - soils.begin());
 }
 
-std::string matrix_text(const std::vector<AssessedSoil>& soils) {
+std::string matrix_text(const std::vector<AssessedSoil>& soils, const std::optional<stability::Seepage>& seepage) {
     const std::vector<std::size_t> columns = counted_columns(soils.front());
     std::size_t width = 6;
     for (const AssessedSoil& soil : soils) {
@@ -122,11 +122,22 @@ std::string matrix_text(const std::vector<AssessedSoil>& soils) {
     }
     const AssessedSoil& worst = soils[find_worst(soils)];
     text += fmt::format("\n\nworst: {}: {}", worst.name, stability::summary(worst.assessment.criteria));
-    return text + fmt::format(
-                      "\nU unstable, t transition, s stable, ? cannot say, each with its number (behind ? that of the "
-                      "measured part); {}",
-                      legend
-                  );
+    text += fmt::format(
+        "\nU unstable, t transition, s stable, ? cannot say, each with its number (behind ? that of the measured "
+        "part); "
+        "{}",
+        legend
+    );
+    for (const AssessedSoil& soil : soils) {
+        text += soil.filter ? fmt::format("\n\n{}\n{}", soil.name, filter_text(*soil.filter)) : "";
+    }
+    if (seepage) { // what the atlas says of each soil has no room here
+        text += fmt::format(
+            "\n{}{}\ngradients that moved the fines of simulated soils: -o DIR, --json, or one FILE at a time",
+            seepage_text(*seepage), seepage->lifts() ? "" : fmt::format("; {}", no_heave_text)
+        );
+    }
+    return text;
 }
 
 json matrix_json(const std::vector<AssessedSoil>& soils) {

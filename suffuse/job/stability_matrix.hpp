@@ -4,6 +4,7 @@
 #include "suffuse/job/assessed_soil.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace suffuse::job {
 std::size_t find_worst(const std::vector<AssessedSoil>& soils);
 
 /// A line for each soil with verdict and number of each counted criterion and critical gradient, then the worst by name
-/// and what the letters stand for.
-std::string matrix_text(const std::vector<AssessedSoil>& soils);
+/// and what the letters stand for, what the filter does to each, and what the gradients are of.
+std::string
+matrix_text(const std::vector<AssessedSoil>& soils, const std::optional<stability::Seepage>& seepage = std::nullopt);
 
 /// The same for programs: names, verdicts, numbers, the worst soil of all and of each criterion.
 nlohmann::json matrix_json(const std::vector<AssessedSoil>& soils);

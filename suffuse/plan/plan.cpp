@@ -33,8 +33,8 @@ double disk_of(
     const int passes = erosion != nullptr ? erosion->passes : 0; // each leaves a state, and a picture of before
     const auto* const migration = std::get_if<erosion::MigrateSpec>(&stage.spec);
     const bool is_watched = migration != nullptr && what.output.snapshots.when != casefile::Snapshots::When::Never;
-    const auto moments = is_watched ? erosion::moments_kept + static_cast<int>(migration->gradients.size()) + 1 : 0;
-    const double states = state_disk * (std::max(passes, 1) + moments) + pictures * picture_disk * (passes + 1);
+    const auto frames = is_watched ? erosion::frames_kept + static_cast<int>(migration->gradients.size()) + 1 : 0;
+    const double states = state_disk * (std::max(passes, 1) + frames) + pictures * picture_disk * (passes + 1);
     return (states + tables) * static_cast<double>(grains);
 }
 

@@ -124,8 +124,8 @@ std::filesystem::path pass_file(const std::filesystem::path& stage_folder, int p
     return stage_folder / fmt::format("pass-{}.h5", pass);
 }
 
-std::filesystem::path moment_file(const std::filesystem::path& stage_folder, std::size_t moment) {
-    return stage_folder / fmt::format("moment-{}.h5", moment);
+std::filesystem::path frame_file(const std::filesystem::path& stage_folder, std::size_t frame) {
+    return stage_folder / fmt::format("frame-{}.h5", frame);
 }
 
 std::string case_that_began(const std::filesystem::path& run) {

@@ -18,8 +18,8 @@ stage_folder(const std::filesystem::path& run, const casefile::Variant& variant,
 /// Where an `erode` stage leaves the state after a pass that is not its last.
 std::filesystem::path pass_file(const std::filesystem::path& stage_folder, int pass);
 
-/// Where a `migrate` stage keeps its states on the way, counted from 0.
-std::filesystem::path moment_file(const std::filesystem::path& stage_folder, std::size_t moment);
+/// Where a `migrate` stage keeps its frames, the states on the way, counted from 0.
+std::filesystem::path frame_file(const std::filesystem::path& stage_folder, std::size_t frame);
 
 nlohmann::json read_json(const std::filesystem::path& path);
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);

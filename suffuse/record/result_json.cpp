@@ -230,11 +230,11 @@ SUFFUSE_MEMBERS(StackCut, width, along, across, radius, is_base)
 SUFFUSE_MEMBERS(BaseSizes, diameter, mass_share, entered, eroded)
 SUFFUSE_MEMBERS(FilterView, filter_d15, base_d85, base_gap, passed, constriction, largest_eroded, before, after, sizes)
 SUFFUSE_MEMBERS(SampleProfile, slices, step, porosity, fines, permeability)
-SUFFUSE_MEMBERS(MigrationMoment, time, gradient, weight_scale)
+SUFFUSE_MEMBERS(MigrationFrame, time, gradient, weight_scale)
 SUFFUSE_MEMBERS(MigrationFates, id, where)
 SUFFUSE_MEMBERS(GrainStory, id, diameter, departed, gradient, way, throats, narrowest, left, moves, holders)
 SUFFUSE_MEMBERS_OR_DEFAULTS(
-    MigrationResult, rows, holds, moments, fates, story, fines_mass, resting_permeability, profile, filter, sample
+    MigrationResult, rows, holds, frames, fates, story, fines_mass, resting_permeability, profile, filter, sample
 )
 SUFFUSE_MEMBERS(PassedThroats, count, narrowest, last)
 SUFFUSE_MEMBERS(

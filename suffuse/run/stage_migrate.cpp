@@ -115,33 +115,33 @@ erosion::GrainStory story_of_one_grain(const erosion::MigrationLedger& ledger, c
 }
 
 /// Keeps the state for the view over time.
-void keep_moment(const StageWork& work, erosion::Migration& migration) {
-    std::vector<erosion::MigrationMoment>& moments = migration.result.moments;
+void keep_frame(const StageWork& work, erosion::Migration& migration) {
+    std::vector<erosion::MigrationFrame>& frames = migration.result.frames;
     io::Attributes made_by = work.made_by();
-    made_by["stage"] += fmt::format(", moment {}", moments.size());
-    io::save_world(record::moment_file(work.folder, moments.size()), migration.world, {}, made_by);
+    made_by["stage"] += fmt::format(", frame {}", frames.size());
+    io::save_world(record::frame_file(work.folder, frames.size()), migration.world, {}, made_by);
     const auto& rows = migration.result.rows;
-    moments.push_back({migration.time, rows.empty() ? 0 : rows.back().gradient, migration.scale.factor});
+    frames.push_back({migration.time, rows.empty() ? 0 : rows.back().gradient, migration.scale.factor});
 }
 
-/// Goes on to the end, and keeps the states of moments_kept.
-void migrate_and_keep_moments(
+/// Goes on to the end, and keeps the states of frames_kept.
+void migrate_and_keep_frames(
     const StageWork& work, const erosion::MigrateSpec& spec, const erosion::Surroundings& around,
     erosion::Migration& migration
 ) {
     const double longest = spec.hold_at_most * static_cast<double>(spec.gradients.size());
-    const double interval = std::min(longest, spec.time_at_most.value_or(longest)) / erosion::moments_kept;
+    const double interval = std::min(longest, spec.time_at_most.value_or(longest)) / erosion::frames_kept;
     const bool is_kept = work.what.output.snapshots.when != casefile::Snapshots::When::Never;
-    if (is_kept && migration.result.moments.empty()) {
-        keep_moment(work, migration);
+    if (is_kept && migration.result.frames.empty()) {
+        keep_frame(work, migration);
     }
     while (!migration.over) {
         const bool settles = migration.settles; // the skeleton moves, and time does not go on
         const std::size_t holds = migration.result.holds.size();
         erosion::migrate_on(migration, spec, around);
         const bool ends = migration.over || migration.settles || migration.result.holds.size() != holds;
-        if (is_kept && !settles && (ends || migration.time >= migration.result.moments.back().time + interval)) {
-            keep_moment(work, migration);
+        if (is_kept && !settles && (ends || migration.time >= migration.result.frames.back().time + interval)) {
+            keep_frame(work, migration);
         }
     }
 }
@@ -185,7 +185,7 @@ void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
         migration.world = work.world;
     }
     work.control.save_with([&] { work.save_partial({{"migration", migration}}, migration.world); });
-    migrate_and_keep_moments(work, spec, around, migration);
+    migrate_and_keep_frames(work, spec, around, migration);
     const Holders holders = find_holders(migration.world);
     migration.result.fates = {migration.ledger.id, migration.ledger.where};
     migration.result.story = story_of_one_grain(migration.ledger, holders);

@@ -97,7 +97,7 @@ TEST(Migration, LeavesItsRowsItsLedgerAndASampleThatSettles) {
         gone += line.find(",eroded,") != std::string::npos ? 1 : 0;
     }
     EXPECT_EQ(gone, lost);
-    EXPECT_TRUE(std::filesystem::exists(stage / "moment-0.h5"));
+    EXPECT_TRUE(std::filesystem::exists(stage / "frame-0.h5"));
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("at rest, before the flow"), std::string::npos) << "the view in 3D is over time";
     EXPECT_NE(page.find("own-migration-time"), std::string::npos);
