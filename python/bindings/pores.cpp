@@ -191,9 +191,18 @@ void bind_network(py::module_& m) {
         "throats", [](const PackedNetwork& net) { return net.throats.size(); }, "How many."
     );
     add_column(type, "pore_grain", &PoreNetwork::pores, &Pores::grain, "pores x 4: rows of the corners [-].");
-    add_column(
-        type, "pore_neighbor", &PoreNetwork::pores, &Pores::neighbor,
-        "pores x 4: the pore across the facet opposite to each corner [-]."
+    type.def_property_readonly(
+        "pore_neighbor",
+        [](const PackedNetwork& net) {
+            const auto rows = std::make_shared<std::vector<std::array<std::uint32_t, 4>>>(net.pores.size());
+            for (std::uint32_t p = 0; p < rows->size(); ++p) {
+                for (std::size_t k = 0; k < 4; ++k) {
+                    (*rows)[p][k] = pores::pore_beyond(net, p, k).pore;
+                }
+            }
+            return look_at(*rows, hold(rows));
+        },
+        "pores x 4: the pore across the facet opposite to each corner, found anew at each access [-]."
     );
     add_column(
         type, "pore_throat", &PoreNetwork::pores, &Pores::throat, "pores x 4: the throat through that facet [-]."

@@ -83,8 +83,9 @@ void CoarseThroats::follow(std::size_t p, const Vec3& place, PassedThroats& pass
             passed.narrowest = passed.narrowest > 0 ? std::min(passed.narrowest, width) : width;
             passed.last = comes_back ? PassedThroats::never : through;
         }
-        const std::size_t came_by = pores::facet_from_other_side(network.pores, pore, out);
-        traveler.in = {network.pores.neighbor[pore][out], traveler.in.image + network.pores.neighbor_image[pore][out]};
+        const std::size_t came_by = pores::corner_beyond(network, pore, out);
+        const pores::PlacedPore beyond = pores::pore_beyond(network, pore, out);
+        traveler.in = {beyond.pore, traveler.in.image + beyond.image};
         out = way_out(traveler, place, came_by);
     }
     traveler.at = place;

@@ -78,12 +78,13 @@ SUFFUSE_CLONES void measure_legs(StarTile& tile) {
 
 /// Equation of a pore: what it exchanges with its neighbors, through the throats between, and with the grains of these.
 struct Row {
-    std::array<double, 4> neighbor{};
+    std::array<double, 4> exchange{};
     double grains = 0;
+    std::array<std::uint32_t, 4> neighbor{};
 
     /// Of the sum of them all; 0 where there is none.
     [[nodiscard]] double inverse() const {
-        const double sum = neighbor[0] + neighbor[1] + neighbor[2] + neighbor[3] + grains;
+        const double sum = exchange[0] + exchange[1] + exchange[2] + exchange[3] + grains;
         return sum > 0 ? 1 / sum : 0;
     }
 };
@@ -93,9 +94,9 @@ struct Row {
 template <class T>
 class Descent {
 public:
-    explicit Descent(const pores::Pores& pores) : pores_(pores), partial_((pores.size() + block - 1) / block) {
-        row_.resize(pores.size()), inverse_.resize(pores.size()), x_.resize(pores.size());
-        residual_.resize(pores.size()), direction_.resize(pores.size()), image_.resize(pores.size());
+    explicit Descent(std::size_t pores) : partial_((pores + block - 1) / block) {
+        row_.resize(pores), inverse_.resize(pores), x_.resize(pores);
+        residual_.resize(pores), direction_.resize(pores), image_.resize(pores);
     }
 
     /// Gives pore p its equation.
@@ -118,7 +119,7 @@ public:
             const Row& row = row_[p];
             T image = row.grains * direction_[p];
             for (std::size_t k = 0; k < 4; ++k) {
-                image += row.neighbor[k] * (direction_[p] - direction_[pores_.neighbor[p][k]]);
+                image += row.exchange[k] * (direction_[p] - direction_[row.neighbor[k]]);
             }
             image_[p] = image;
             return inner(direction_[p], image);
@@ -167,7 +168,6 @@ private:
         return whole;
     }
 
-    const pores::Pores& pores_;
     RawColumn<Row> row_;
     RawColumn<double> inverse_; ///< of each row: two of three loops over rows need no more of them
     RawColumn<T> x_, residual_, direction_;
@@ -208,17 +208,17 @@ exchange_legs(const pores::PoreNetwork& network, std::span<const Vec3> position,
             const std::size_t last = std::min(first + pores::tile_rows, end);
             pores::load_pores(network.h, pores, position, radius, first, last, tile.spheres);
             for (std::size_t row = 0; row < pores::tile_rows; ++row) {
-                const std::size_t p = std::min(first + row, last - 1);
+                const auto p = static_cast<std::uint32_t>(std::min(first + row, last - 1));
                 tile.center.set(row, pores.center[p]);
                 for (std::size_t k = 0; k < 4; ++k) {
-                    const std::uint32_t q = pores.neighbor[p][k];
-                    tile.beyond[k].set(row, pores.center[q] + shift(network.h, pores.neighbor_image[p][k]));
+                    const pores::PlacedPore beyond = pores::pore_beyond(network, p, k);
+                    tile.beyond[k].set(row, pores.center[beyond.pore] + shift(network.h, beyond.image));
                 }
             }
             measure_legs(tile);
             for (auto p = static_cast<std::uint32_t>(first); p < last; ++p) {
                 for (std::size_t k = 0; k < 4; ++k) {
-                    leg[pores.throat[p][k]][pores::side_of(network, p, k)] = tile.leg[k][p - first];
+                    leg[pores.throat[p][k]][pores::side_of(network, p, k)] = static_cast<float>(tile.leg[k][p - first]);
                 }
             }
         }
@@ -236,7 +236,7 @@ MomentumExchange::MomentumExchange(
 template <class T>
 T MomentumExchange::velocity(const RawColumn<T>& in_pore, const T& push, std::size_t t) const {
     const auto [p, q] = network_.throats.side[t];
-    const auto [here, beyond] = leg_[t];
+    const auto here = static_cast<double>(leg_[t][0]), beyond = static_cast<double>(leg_[t][1]);
     const double all = drag_[t] + here + beyond;
     return all > 0 ? (1 / all) * (push + here * in_pore[p] + beyond * in_pore[q]) : T{};
 }
@@ -246,7 +246,7 @@ T MomentumExchange::velocity(const RawColumn<T>& in_pore, const T& push, std::si
 template <class T>
 RawColumn<T> MomentumExchange::velocities_in_pores(std::span<const double> push) const {
     expects(push.size() == drag_.size(), "one push a throat");
-    Descent<T> descent(network_.pores);
+    Descent<T> descent(network_.pores.size());
     parallel_for(network_.pores.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto p = static_cast<std::uint32_t>(begin); p < end; ++p) {
             Row row;
@@ -254,14 +254,15 @@ RawColumn<T> MomentumExchange::velocities_in_pores(std::span<const double> push)
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
                 const std::size_t side = pores::side_of(network_, p, k);
-                const double here = leg_[t][side], beyond = leg_[t][1 - side];
+                const auto here = static_cast<double>(leg_[t][side]), beyond = static_cast<double>(leg_[t][1 - side]);
+                row.neighbor[k] = network_.throats.side[t][1 - side];
                 if (!(here > 0)) {
                     continue;
                 }
                 const double part = here / (drag_[t] + here + beyond);
                 source += part * push_on<T>(network_, push, t);
                 row.grains += part * drag_[t];
-                row.neighbor[k] = network_.pores.neighbor[p][k] == p ? 0 : part * beyond;
+                row.exchange[k] = row.neighbor[k] == p ? 0 : part * beyond;
             }
             descent.set(p, row, source);
         }
@@ -304,7 +305,7 @@ MomentumExchange::Motion MomentumExchange::motion(std::span<const double> pressu
             double legs = 0;
             for (std::size_t k = 0; k < 4; ++k) {
                 const std::uint32_t t = network_.pores.throat[p][k];
-                const double leg = leg_[t][pores::side_of(network_, p, k)];
+                const auto leg = static_cast<double>(leg_[t][pores::side_of(network_, p, k)]);
                 sum += leg * velocity(motion.velocity, push_on<Vec3>(network_, pressure, t), t);
                 legs += leg;
             }
@@ -317,7 +318,8 @@ MomentumExchange::Motion MomentumExchange::motion(std::span<const double> pressu
 Vec3 MomentumExchange::to_grains(const Motion& motion, std::span<const double> pressure, std::size_t t) const {
     const auto [p, q] = network_.throats.side[t];
     const Vec3 push = push_on<Vec3>(network_, pressure, t), here = velocity(motion.velocity, push, t);
-    return push + leg_[t][0] * (motion.mean[p] - here) + leg_[t][1] * (motion.mean[q] - here);
+    return push + static_cast<double>(leg_[t][0]) * (motion.mean[p] - here) +
+           static_cast<double>(leg_[t][1]) * (motion.mean[q] - here);
 }
 
 } // namespace suffuse::flow

@@ -15,8 +15,9 @@
 
 namespace suffuse::flow {
 
-/// Momentum per difference of velocity that each throat exchanges with the pores on its sides 0 and 1 [m].
-using ExchangeLegs = RawColumn<std::array<double, 2>>;
+/// Momentum per difference of velocity that each throat exchanges with the pores on its sides 0 and 1 [m]. Single
+/// precision: what one loses the other gains whatever the leg is.
+using ExchangeLegs = RawColumn<std::array<float, 2>>;
 
 /// Two throats of a pore share an edge between two grains. They exchange through the triangle from this edge to the
 /// pore's center, as far as it is void, over the distance between their middles.

@@ -18,8 +18,6 @@ struct Skeleton {
     const PoreNetwork& network;
     std::span<const Vec3> position;
     std::span<const double> radius;
-    std::vector<std::array<std::uint8_t, 4>> other_side =
-        {}; ///< of each facet of each pore: its number in the neighbor
 
     [[nodiscard]] Vec3 center(std::uint32_t g, const cell::Image& image) const {
         return position[g] + shift(network.h, image);
@@ -33,7 +31,7 @@ public:
         : skeleton_(skeleton), origin_(origin), pore_(skeleton.network.throats.side[t]) {
         image_[1] = skeleton.network.throats.image[t];
         opposite_[0] = skeleton.network.throats.facet[t];
-        opposite_[1] = skeleton.other_side[pore_[0]][opposite_[0]];
+        opposite_[1] = corner_beyond(skeleton.network, pore_[0], opposite_[0]);
     }
 
     /// The far corners of its two tetrahedra.
@@ -45,13 +43,12 @@ public:
 
     /// Those of the six tetrahedra behind them.
     void add_beyond(NearGrains& near) const {
-        const Pores& pores = skeleton_.network.pores;
         for (std::size_t s = 0; s < 2; ++s) {
             const std::uint32_t p = pore_[s];
             for (std::size_t k = 0; k < 4; ++k) {
                 if (k != opposite_[s]) {
-                    const cell::Image image = image_[s] + pores.neighbor_image[p][k];
-                    add(near, pores.neighbor[p][k], skeleton_.other_side[p][k], image);
+                    const PlacedPore beyond = pore_beyond(skeleton_.network, p, k);
+                    add(near, beyond.pore, corner_beyond(skeleton_.network, p, k), image_[s] + beyond.image);
                 }
             }
         }
@@ -110,15 +107,7 @@ Constrictions sizes_of(const Throats& throats, std::span<const std::uint32_t> co
 void measure_constrictions(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
     Throats& throats = network.throats;
     resize_columns(throats.size(), throats.inscribed_radius, throats.center);
-    Skeleton skeleton{network, position, radius};
-    skeleton.other_side.resize(network.pores.size());
-    parallel_for(network.pores.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            for (std::size_t k = 0; k < 4; ++k) {
-                skeleton.other_side[p][k] = static_cast<std::uint8_t>(facet_from_other_side(network.pores, p, k));
-            }
-        }
-    });
+    const Skeleton skeleton{network, position, radius};
     parallel_for(throats.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t t = begin; t < end; ++t) {
             const InscribedCircle sphere = find_constriction(skeleton, t);

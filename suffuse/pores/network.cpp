@@ -68,7 +68,8 @@ void number_throats(const Triangulation& triangulation, Pores& pores, Throats& t
 
 /// Flat tetrahedra have no center of their own: it lies between those of their neighbors, so that they take one of
 /// these.
-void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& is_flat) {
+void center_flat_pores(PoreNetwork& network, std::vector<std::uint8_t>& is_flat) {
+    Pores& pores = network.pores;
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t p = 0; p < pores.size(); ++p) {
         if (is_flat[p] != 0) {
@@ -79,14 +80,15 @@ void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& i
         std::vector<std::uint32_t> still, found;
         for (const std::uint32_t p : waiting) {
             std::size_t k = 0;
-            while (k < 4 && is_flat[pores.neighbor[p][k]] != 0) {
+            while (k < 4 && is_flat[pore_beyond(network, p, k).pore] != 0) {
                 ++k;
             }
             if (k == 4) {
                 still.push_back(p);
                 continue;
             }
-            pores.center[p] = pores.center[pores.neighbor[p][k]] + shift(h, pores.neighbor_image[p][k]);
+            const PlacedPore beyond = pore_beyond(network, p, k);
+            pores.center[p] = pores.center[beyond.pore] + shift(network.h, beyond.image);
             found.push_back(p);
         }
         if (found.empty()) {
@@ -99,7 +101,8 @@ void center_flat_pores(const Mat3& h, Pores& pores, std::vector<std::uint8_t>& i
     }
 }
 
-void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<const double> radius, Pores& pores) {
+void measure_pores(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
+    Pores& pores = network.pores;
     const std::size_t n = pores.size();
     resize_columns(n, pores.center, pores.volume, pores.void_volume);
     std::vector<std::uint8_t> is_flat(n, 0);
@@ -108,7 +111,7 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
         TileRow solid{};
         for (std::size_t first = begin; first < end; first += tile_rows) {
             const std::size_t last = std::min(first + tile_rows, end);
-            load_pores(h, pores, position, radius, first, last, tile);
+            load_pores(network.h, pores, position, radius, first, last, tile);
             measure_solids(tile, solid);
             for (std::size_t p = first; p < last; ++p) {
                 std::array<Vec3, 4> x;
@@ -125,7 +128,7 @@ void measure_pores(const Mat3& h, std::span<const Vec3> position, std::span<cons
             }
         }
     });
-    center_flat_pores(h, pores, is_flat);
+    center_flat_pores(network, is_flat);
 }
 
 void measure_throats(PoreNetwork& network, std::span<const Vec3> position, std::span<const double> radius) {
@@ -221,19 +224,18 @@ void find_bodies(PoreNetwork& network) {
 
 } // namespace
 
-PoreNetwork build_network(
-    Triangulation&& triangulation, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius
-) {
+PoreNetwork
+build_network(Triangulation&& given, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
     PoreNetwork network;
+    Triangulation triangulation = std::move(given);
     network.h = h;
     network.jitter = triangulation.jitter;
     number_throats(triangulation, network.pores, network.throats);
     network.hidden = std::move(triangulation.hidden);
     network.pores.grain = std::move(triangulation.grain);
     network.pores.grain_image = std::move(triangulation.grain_image);
-    network.pores.neighbor = std::move(triangulation.neighbor);
-    network.pores.neighbor_image = std::move(triangulation.neighbor_image);
-    measure_pores(h, position, radius, network.pores);
+    triangulation = {}; // its neighbors are in the table of throats now
+    measure_pores(network, position, radius);
     measure_throats(network, position, radius);
     find_bodies(network);
     return network;

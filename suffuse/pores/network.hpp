@@ -20,12 +20,10 @@ namespace suffuse::pores {
 struct Pores {
     std::vector<std::array<std::uint32_t, 4>> grain; ///< corner k is position[grain[k]] + shift(h, grain_image[k])
     std::vector<std::array<cell::Image, 4>> grain_image;
-    std::vector<std::array<std::uint32_t, 4>> neighbor;     ///< pore across the facet opposite to corner k ...
-    std::vector<std::array<cell::Image, 4>> neighbor_image; ///< ... moved by these periods
-    std::vector<std::array<std::uint32_t, 4>> throat;       ///< through that facet
-    std::vector<Vec3> center;                               ///< power center of the four grains [m]
-    std::vector<double> volume;                             ///< of the tetrahedron [m3]
-    std::vector<double> void_volume;                        ///< without the grains [m3]
+    std::vector<std::array<std::uint32_t, 4>> throat; ///< through the facet opposite to corner k
+    std::vector<Vec3> center;                         ///< power center of the four grains [m]
+    std::vector<double> volume;                       ///< of the tetrahedron [m3]
+    std::vector<double> void_volume;                  ///< without the grains [m3]
     /// Pores whose centers coincide, as in lattices, hold one body of water with one pressure; elsewhere a pore is a
     /// body.
     std::vector<std::uint32_t> body;
@@ -114,12 +112,40 @@ inline bool is_internal(const Throats& throats, std::size_t t) {
     return throats.length[t] == 0;
 }
 
-/// Which side of the throat opposite to its corner k pore p is: next to its own image it is on both.
+/// Which side of the throat opposite to its corner k pore p is. Next to its own image it is on both, by different
+/// corners.
 inline std::size_t side_of(const PoreNetwork& network, std::uint32_t p, std::size_t k) {
     const std::uint32_t t = network.pores.throat[p][k];
-    const bool is_first =
-        network.throats.side[t][0] == p && network.throats.image[t] == network.pores.neighbor_image[p][k];
-    return is_first ? 0 : 1;
+    return network.throats.side[t][0] == p && network.throats.facet[t] == k ? 0 : 1;
+}
+
+/// A pore in the place that it has next to another: moved by `image` periods from its own.
+struct PlacedPore {
+    std::uint32_t pore = 0;
+    cell::Image image;
+};
+
+/// What lies across the facet of pore p opposite to its corner k.
+inline PlacedPore pore_beyond(const PoreNetwork& network, std::uint32_t p, std::size_t k) {
+    const Throats& throats = network.throats;
+    const std::uint32_t t = network.pores.throat[p][k];
+    return side_of(network, p, k) == 0 ? PlacedPore{throats.side[t][1], throats.image[t]}
+                                       : PlacedPore{throats.side[t][0], -throats.image[t]};
+}
+
+/// Corner of that pore which the same facet lies opposite to.
+inline std::size_t corner_beyond(const PoreNetwork& network, std::uint32_t p, std::size_t k) {
+    const std::uint32_t t = network.pores.throat[p][k];
+    if (side_of(network, p, k) == 1) {
+        return network.throats.facet[t];
+    }
+    const std::uint32_t q = network.throats.side[t][1];
+    const auto& throats_of_q = network.pores.throat[q];
+    std::size_t j = 0;
+    while (throats_of_q[j] != t || (q == p && j == k)) {
+        ++j;
+    }
+    return j;
 }
 
 /// Pore centers closer than this share of the facet's size (square root of its area) coincide.

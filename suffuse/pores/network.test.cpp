@@ -2,6 +2,7 @@
 
 #include "suffuse/base/constants.hpp"
 #include "suffuse/base/parallel.hpp"
+#include "suffuse/pores/triangulation_check.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,6 +38,7 @@ TEST(Network, VolumesAddUpToTheCellAndVoidsToThePorosity) {
 
 TEST(Network, ThroatsAreTheFacetsOfBothTheirPores) {
     const Packing packing = test::random_packing(from_columns({1, 0, 0}, {0.4, 1, 0}, {0, -0.3, 1}), 40, 0.05, 0.12, 3);
+    const Triangulation triangulation = triangulate(packing.h, packing.position, packing.radius);
     const PoreNetwork network = build(packing);
     const Pores& pores = network.pores;
     const Throats& throats = network.throats;
@@ -47,11 +49,15 @@ TEST(Network, ThroatsAreTheFacetsOfBothTheirPores) {
         for (std::size_t k = 0; k < 4; ++k) {
             const std::uint32_t t = pores.throat[p][k];
             ++sides[t];
-            const bool is_first = throats.side[t] == std::array{p, pores.neighbor[p][k]} &&
-                                  throats.image[t] == pores.neighbor_image[p][k];
-            const bool is_second = throats.side[t] == std::array{pores.neighbor[p][k], p} &&
-                                   throats.image[t] == -pores.neighbor_image[p][k];
+            const std::uint32_t q = triangulation.neighbor[p][k];
+            const cell::Image image = triangulation.neighbor_image[p][k];
+            const bool is_first = throats.side[t] == std::array{p, q} && throats.image[t] == image;
+            const bool is_second = throats.side[t] == std::array{q, p} && throats.image[t] == -image;
             ASSERT_TRUE(is_first || is_second);
+            const PlacedPore beyond = pore_beyond(network, p, k);
+            EXPECT_EQ(beyond.pore, q);
+            EXPECT_EQ(beyond.image, image);
+            EXPECT_EQ(corner_beyond(network, p, k), facet_from_other_side(triangulation, p, k));
             closed += (is_first ? 1.0 : -1.0) * throats.area[t];
             // All corners but the opposite one are the throat's.
             const cell::Image move = is_first ? cell::Image{} : throats.image[t];

@@ -27,9 +27,8 @@ corners_of(const Triangulation& t, std::size_t p, const Mat3& h, std::span<const
     return x;
 }
 
-/// Facet of `neighbor[k]` that is the facet k of tetrahedron `p`; 4 where there is none. `t`: a Triangulation or Pores.
-template <class Tetrahedra>
-std::size_t facet_from_other_side(const Tetrahedra& t, std::size_t p, std::size_t k) {
+/// Facet of `neighbor[k]` that is the facet k of tetrahedron `p`; 4 where there is none.
+inline std::size_t facet_from_other_side(const Triangulation& t, std::size_t p, std::size_t k) {
     const std::uint32_t q = t.neighbor[p][k];
     const cell::Image back = -t.neighbor_image[p][k];
     for (std::size_t j = 0; j < 4; ++j) {

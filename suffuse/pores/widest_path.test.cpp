@@ -49,8 +49,9 @@ bool leads_through(const PoreNetwork& network, std::uint32_t pore, int axis, dou
             if (2 * network.throats.inscribed_radius[network.pores.throat[p][k]] < diameter) {
                 continue;
             }
-            const cell::Image to = at + network.pores.neighbor_image[p][k];
-            const std::uint32_t q = network.pores.neighbor[p][k];
+            const PlacedPore beyond = pore_beyond(network, p, k);
+            const cell::Image to = at + beyond.image;
+            const std::uint32_t q = beyond.pore;
             if (std::max({std::abs(to.a), std::abs(to.b), std::abs(to.c)}) > reach) {
                 continue;
             }
