@@ -224,10 +224,10 @@ void find_bodies(PoreNetwork& network) {
 
 } // namespace
 
-PoreNetwork
-build_network(Triangulation&& given, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius) {
+PoreNetwork build_network(
+    Triangulation&& triangulation, const Mat3& h, std::span<const Vec3> position, std::span<const double> radius
+) {
     PoreNetwork network;
-    Triangulation triangulation = std::move(given);
     network.h = h;
     network.jitter = triangulation.jitter;
     number_throats(triangulation, network.pores, network.throats);
