@@ -185,6 +185,17 @@ private:
         return build(header, first, headings, keys);
     }
 
+    /// Of one soil among several, by its heading; with its column where that is blank, or that of another, too.
+    [[nodiscard]] std::string name_of(const SheetRow& header, std::size_t k) const {
+        if (shares_.size() == 1) {
+            return "";
+        }
+        const std::string& heading = text_at(header, k + 1);
+        const auto same = std::ranges::count(header.cells.begin() + 1, header.cells.end(), heading, &SheetCell::text);
+        const std::string column = fmt::format("column {}", shares_[k] + 1);
+        return is_blank(heading) ? column : same > 1 ? fmt::format("{} ({})", heading, column) : heading;
+    }
+
     SheetTable build(
         std::optional<std::size_t> header, std::size_t first, const std::vector<Heading>& headings,
         const std::vector<std::size_t>& keys
@@ -201,7 +212,7 @@ private:
         };
         SheetTable table;
         table.sheet.mark = sheet_.mark;
-        table.sheet.rows.push_back(header ? cut(sheet_.rows[*header]) : SheetRow{{}, sheet_.rows[first].place, false});
+        table.sheet.rows.push_back(cut(header ? sheet_.rows[*header] : SheetRow{{}, sheet_.rows[first].place, false}));
         for (const SheetRow* row : value_rows(sheet_, first)) {
             if (row->place.line > lines_.second) {
                 break;
@@ -218,8 +229,9 @@ private:
         columns.stated_unit = find_size_unit(sheet_, 0, first);
         for (std::size_t k = 0; k < shares_.size(); ++k) {
             const Heading& heading = headings[shares_[k]];
-            const std::string name = shares_.size() > 1 ? text_at(table.sheet.rows.front(), k + 1) : "";
-            columns.shares.push_back({k + 1, {}, name, share_.meaning, heading.unit, true, heading.mass_unit});
+            columns.shares.push_back(
+                {k + 1, {}, name_of(table.sheet.rows.front(), k), share_.meaning, heading.unit, true, heading.mass_unit}
+            );
         }
         for (std::size_t k = 0; k < keys.size(); ++k) {
             columns.sample_key.push_back(1 + shares_.size() + k);

@@ -52,6 +52,23 @@ TEST(NamedColumns, MayBeAllOfTheTableOrAcrossIt) {
     expect_soil(passing, across.soils.front(), "across");
 }
 
+TEST(NamedColumns, SoilsOfOneHeadingOrNoneAreNamedByTheirColumns) {
+    const auto names_in = [](const std::string& text) {
+        std::vector<std::string> names;
+        const ParsedSheet parsed = parse_sheet(text, "sheet.csv", columns("1:mm", &ReadingOptions::passing, "all"));
+        for (const NamedGrading& soil : parsed.soils) {
+            names.push_back(soil.name);
+        }
+        EXPECT_EQ(names.size(), 3U) << messages_of(parsed);
+        return names;
+    };
+    const std::string rows = "1,20,30,40\n2,90,80,70\n4,100,100,100\n";
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names_in("d [mm],TP1,TP1,TP2\n" + rows), Names({"TP1 (column 2)", "TP1 (column 3)", "TP2"}));
+    EXPECT_EQ(names_in("d [mm],TP1,,\n" + rows), Names({"TP1", "column 3", "column 4"}));
+    EXPECT_EQ(names_in(rows), Names({"column 2", "column 3", "column 4"}));
+}
+
 TEST(NamedColumns, LinesAndTablesAreChosen) {
     ReadingOptions options;
     options.rows = "4-6";
