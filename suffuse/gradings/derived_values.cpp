@@ -243,7 +243,7 @@ private:
             found_.push_back(names_[name]);
         }
         DerivedValue& derived = is_more ? found_.back() : found_[first_ + name];
-        derived.value = value, derived.column = of_soil;
+        derived.value = value, derived.column = of_soil, derived.has_percent = trimmed(text).ends_with('%');
     }
 
     const Sheet& sheet_;

@@ -26,6 +26,14 @@ struct BlankSize {
     Place place;
 };
 
+/// A line `Fines` in a column of masses: a mass that passed the finest sieve, or a result in percent.
+struct FinesLine {
+    double number = 0, unit = 0; ///< as written, and of that number [kg]
+    bool is_mass = false;        ///< by its name
+    std::string name;
+    Place place;
+};
+
 struct SievedSoil {
     std::string name;
     ShareMeaning meaning = ShareMeaning::Passing;
@@ -37,6 +45,7 @@ struct SievedSoil {
     std::size_t column = 0;    ///< of the sheet, from 0
     std::optional<double> dry; ///< mass of the whole sample, stated above the table [kg]
     double lost = 0;           ///< in sieving, as the sieves' amounts
+    std::optional<FinesLine> fines;
     const char* mass_unit = "g";
     std::string size_heading, size_unit = "mm";
     bool is_by_number = false;     ///< shares of the number of grains, not of their mass

@@ -2,6 +2,7 @@
 
 #include "suffuse/gradings/class_edges.hpp"
 #include "suffuse/gradings/column_content.hpp"
+#include "suffuse/gradings/fines_line.hpp"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,7 @@ double sum_on_sieves(const SievedSoil& soil, double sum = 0) {
     return sum;
 }
 
+constexpr double lost = 0.01;  // ASTM D6913: a loss beyond requires another test
 constexpr double most_off = 2; // a stated mass and a sum that differ by more are not of one sample
 
 double sum_of(const SievedSoil& soil) {
@@ -131,7 +133,6 @@ void remark_on_count(const SievedSoil& soil, Problems& problems) {
 
 /// What the sheet calls its total, next to the sum of what the sieves keep. @return whether both may be of one sample
 bool check_total(const SievedSoil& soil, double sum, Problems& problems) {
-    constexpr double lost = 0.01; // ASTM D6913: a loss beyond requires another test
     const auto is_whole = [&](double whole) { return std::abs(*soil.total - whole) <= lost * whole; };
     if (!soil.total || is_whole(sum) || is_whole(sum + soil.lost)) {
         return true;
@@ -172,7 +173,6 @@ std::optional<double> mass_in_table(const SievedSoil& soil, double last) {
 /// The mass that the shares are of: the stated dry mass where the pan is not given, or where the finest grains were
 /// washed away before the sieving. Empty where it could be two things, which is reported.
 std::optional<double> whole_mass(const SievedSoil& soil, double last, Problems& problems) {
-    constexpr double lost = 0.01; // as above
     constexpr double split = 1.9; // halves and quarters of a sample are sieved, too
     if (soil.meaning == ShareMeaning::CumulativeRetained && soil.pan.value_or(last) < last) {
         problems.warning(
@@ -356,7 +356,7 @@ std::optional<std::vector<GradingPoint>> find_passing(SievedSoil& soil, Problems
     }
     settle_bound(soil);
     const bool is_retained = soil.meaning != ShareMeaning::Passing;
-    if (is_weighed_or_counted(soil) && !divide_by_whole(soil, problems)) {
+    if (is_weighed_or_counted(soil) && !(settle_fines(soil, problems) && divide_by_whole(soil, problems))) {
         return std::nullopt;
     }
     settle_edges(soil, problems);

@@ -164,6 +164,28 @@ void take_losses(SievedSoil& soil, const std::vector<DerivedValue>& derived, Pro
     }
 }
 
+/// A line `Fines` next to the pan, out of the notes: its number may be a mass. With shares of gravel or sand it is one
+/// of several results.
+void take_fines(SievedSoil& soil, TableNotes& notes) {
+    using Kind = DerivedValue::Kind;
+    const bool are_results = std::ranges::any_of(notes.derived, [](const DerivedValue& value) {
+        return value.kind == Kind::Gravel || value.kind == Kind::Sand;
+    });
+    const auto fines = std::ranges::find_if(notes.derived, [&soil](const DerivedValue& value) {
+        return value.kind == Kind::Fines && value.value && value.column == soil.column && !value.has_percent &&
+               value.name.find('%') == std::string::npos && read_heading(value.name).unit != ShareUnit::Percent;
+    });
+    if (soil.unit != ShareUnit::Mass || !soil.pan || are_results || fines == notes.derived.end()) {
+        return;
+    }
+    const Heading heading = read_heading(fines->name); // "Fines (g)"
+    const bool is_mass = heading.unit == ShareUnit::Mass;
+    const std::string unit = is_mass ? heading.mass_unit : soil.mass_unit;
+    soil.fines = {
+        100 * *fines->value, parse_quantity("1 " + unit, dimension::mass), is_mass, fines->name, fines->place};
+    notes.derived.erase(fines);
+}
+
 SheetReading reading_of(const SievedSoil& soil) {
     const char* const unit = soil.unit == ShareUnit::Mass       ? "mass"
                              : soil.unit == ShareUnit::Count    ? "number"
@@ -196,8 +218,11 @@ std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tabl
     TableJoiner joiner(tables.size(), problems);
     bool is_good = true;
     for (SheetTable& table : tables) {
-        remark_on_notes(table.notes, problems);
         auto soils = read_sieve_rows(table.sheet, *table.columns, problems);
+        if (soils) {
+            std::ranges::for_each(*soils, [&table](SievedSoil& soil) { take_fines(soil, table.notes); });
+        }
+        remark_on_notes(table.notes, problems);
         if (soils && soils->size() == 1) {
             soils->front().dry = table.dry;
         }
