@@ -6,6 +6,7 @@
 #include "suffuse/base/units.hpp"
 #include "suffuse/figures/figure_options.hpp"
 #include "suffuse/job/draw_figures.hpp"
+#include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/checksums.hpp"
 
 #include <fmt/format.h>
@@ -75,8 +76,11 @@ std::vector<std::string> ids_of(std::vector<std::string> words) {
 }
 
 int FiguresVerb::act(const CommandLine&, const Console& console) const {
-    const std::filesystem::path folder =
-        output.empty() ? std::filesystem::path(run) / "figures" : std::filesystem::path(output);
+    const std::filesystem::path own = std::filesystem::path(run) / "figures",
+                                folder = output.empty() ? own : std::filesystem::path(output);
+    if (std::filesystem::weakly_canonical(folder) != std::filesystem::weakly_canonical(own)) {
+        job::require_outside_runs(folder);
+    }
     const std::vector<std::string> wanted = at_commas(figures);
     look_at_run(run, output.empty() ? io::Purpose::Work : io::Purpose::Read, console);
     record::require_same_figures(run, ids_of(wanted), {".vl.json", ".svg"});

@@ -79,7 +79,9 @@ TEST_F(Cli, NothingIsWrittenOverTheFilesOfARun) {
         {"import", "soil/packing.csv", "--cell", "2e-3,2e-3,2e-3", "-o", "here/p.csv"},
         {"assess", "sand.csv", "-o", "here"},
         {"assess", "sand.csv", "-o", "here/new"},
-        {"assess", "sand.csv", "--page", "-o", "here/page.html"}};
+        {"assess", "sand.csv", "--page", "-o", "here/page.html"},
+        {"figures", "here", "-o", "here/studies"},
+        {"figures", "other", "-o", "here/figures"}};
     for (const std::vector<std::string>& call : calls) {
         const ProgramResult refused = run_suffuse(call);
         EXPECT_EQ(refused.code, 2) << call.back() << refused.out;

@@ -5,6 +5,7 @@
 #include "suffuse/io/contact_table.hpp"
 #include "suffuse/io/packing_checks.hpp"
 #include "suffuse/io/packing_export.hpp"
+#include "suffuse/job/run_folder.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -79,6 +80,10 @@ py::tuple read_packing(
 } // namespace
 
 void bind_files(py::module_& m) {
+    m.def(
+        "require_outside_runs", &job::require_outside_runs, py::arg("path"),
+        "Raises UsageError where the file would be written into the folder of a run."
+    );
     m.def(
         "write_packing",
         [](const std::filesystem::path& path, const WorldHandle& w, const std::string& name) {

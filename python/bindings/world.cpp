@@ -8,6 +8,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/job/run_folder.hpp"
 #include "suffuse/run/measure.hpp"
 
 #include <fmt/format.h>
@@ -298,6 +299,7 @@ void bind_changes(py::class_<WorldHandle, Handle>& type) {
     type.def(
         "save",
         [](const WorldHandle& w, const std::filesystem::path& path) {
+            job::require_outside_runs(path);
             const Reading reading(w);
             const Released released;
             io::save_world(path, reading.world());

@@ -48,6 +48,9 @@ def read(path, format=None, cell=None, material=None):
 def write_packing(path, world, format=None, contacts=None):
     """Writes the grains of a World for other programs: csv, yade, xyz, lammps, dump, vtp; by the file's ending unless
     `format` is given. contacts: a CSV file for shear forces and moments, as read_packing takes it."""
+    for file in (path, contacts):
+        if file is not None:
+            _core.require_outside_runs(file)
     _core.write_packing(path, world, format or "")
     if contacts is not None:
         _core.write_contacts(contacts, world)

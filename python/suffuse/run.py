@@ -241,6 +241,7 @@ class Figure:
     def save(self, path):
         """Draws the figure as path says: .svg, .png or .pdf. Needs Node, and rsvg-convert for the latter two."""
         path = pathlib.Path(path)
+        _core.require_outside_runs(path)
         _core.draw_figure(self._folder.parent, self.name, path, page_folder())
         return path
 

@@ -117,6 +117,23 @@ def test_a_figure_is_saved_as_svg_or_says_what_to_install(small_case, tmp_path):
     assert png.startswith(b"\x89PNG") and len(png) > 10_000
 
 
+def test_nothing_is_written_over_the_files_of_a_run(small_case, tmp_path):
+    run = suffuse.Case(small_case).run(tmp_path / "run", until="start")
+    stage = run["replay/start"]
+    before = {file: file.read_bytes() for file in run.folder.rglob("*") if file.is_file()}
+    world, state = stage.world, run.folder / "studies/replay/start/state.h5"
+    for write in (
+        lambda: suffuse.write_packing(run.folder / "case.toml", world, format="csv"),
+        lambda: suffuse.write_packing(tmp_path / "grains.csv", world, contacts=run.folder / "contacts.csv"),
+        lambda: world.save(state),
+        lambda: suffuse.Figure(run.folder / "figures", "own-grains").save(run.folder / "figures/fig09.svg"),
+    ):
+        with pytest.raises(suffuse.UsageError, match="would be written into the run folder"):
+            write()
+    assert before == {file: file.read_bytes() for file in run.folder.rglob("*") if file.is_file()}
+    assert not (tmp_path / "grains.csv").exists()
+
+
 def test_an_exception_of_the_progress_function_saves_and_stops(small_case, tmp_path):
     def stop(progress):
         if progress["stage"] == "settled":
