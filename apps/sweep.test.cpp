@@ -87,7 +87,11 @@ TEST_F(SweepVerb, TasksRunByAShellEndWithTheBitsOfAPlainRun) {
 
     ASSERT_EQ(suffuse("sweep case.toml --emit parallel -o parts --no-cache"), 0) << output();
     EXPECT_NE(output().find("3 tasks in parts"), std::string::npos) << output();
+    EXPECT_EQ(suffuse("runs ."), 0);
+    EXPECT_NE(output().find("parts  tasks emitted  0/3"), std::string::npos) << output();
     ASSERT_EQ(sh("head -n 1 parts/tasks.txt | sh"), 0) << output();
+    EXPECT_EQ(suffuse("runs ."), 0);
+    EXPECT_NE(output().find("parts  tasks emitted  1/3"), std::string::npos) << output();
     EXPECT_EQ(suffuse("watch parts/studies/s/*"), 0) << output();
     EXPECT_NE(output().find("sample ends       done"), std::string::npos) << output();
     EXPECT_EQ(suffuse("watch parts"), 2);

@@ -27,7 +27,7 @@ TEST_F(Cli, RunsListsAFolderAndSaysHowToCompareTwoOfThem) {
     expect_in(
         "suffuse compare 'my runs/a-0001' 'my runs/b-0001'", run_suffuse({"runs", "my runs", "--sort", "name"}).error
     );
-    EXPECT_EQ(run_suffuse({"runs", "nowhere"}).code, 2);
+    EXPECT_EQ(run_suffuse({"runs", "nowhere"}).code, 74);
     EXPECT_EQ(run_suffuse({"runs", "--sort", "colour"}).code, 2);
 }
 

@@ -4,11 +4,13 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/casefile/calibration_case.hpp"
-#include "suffuse/casefile/load_case.hpp"
 #include "suffuse/job/calibration_files.hpp"
 #include "suffuse/job/calibration_folder.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/missing_stages.hpp"
+#include "suffuse/record/refine.hpp"
+#include "suffuse/record/samples.hpp"
 
 #include <fmt/format.h>
 
@@ -58,18 +60,30 @@ std::string state_of(const fs::path& run, const json& summary) {
         return "failed in part";
     }
     const bool ended_early = !value_or(summary, "until", std::string()).empty(); // as specified
+    if (summary.empty() && fs::exists(run / "tasks.txt")) {
+        return "tasks emitted";
+    }
     if (summary.empty() || (!ended_early && !value_or(summary, "missing_stages", nothing).empty())) {
         return "not complete";
     }
     return value_or(summary, "flaws", nothing).empty() ? "done" : "flaws";
 }
 
-/// Of a run that has no summary yet.
-std::string title_in_case(const fs::path& run) {
+/// Of a run that goes on: its summary is older than its samples, or there is none yet.
+void look_into(const fs::path& run, ListedRun& listed) {
     try {
-        return casefile::load_case((run / record::resolved_case_file).string()).value.title;
-    } catch (const Error&) {
-        return "";
+        const casefile::Case what = record::load_run(run);
+        const std::vector<record::Sample> samples = record::list_samples(what, listed.until);
+        listed.title = what.title;
+        listed.samples = static_cast<int>(samples.size());
+        listed.done = static_cast<int>(std::ranges::count_if(samples, [&run](const record::Sample& sample) {
+            return record::is_complete(sample, run);
+        }));
+        const bool is_task_at_work = std::ranges::any_of(samples, [&run](const record::Sample& sample) {
+            return is_at_work(run / "studies" / sample.variant->folder);
+        });
+        listed.state = is_task_at_work ? "at work" : listed.state;
+    } catch (const Error&) { // the list still shows the others
     }
 }
 
@@ -78,7 +92,7 @@ ListedRun describe(const fs::path& run) {
     const json samples = value_or(summary, "samples", json::object());
     ListedRun listed;
     listed.name = run.filename().string();
-    listed.title = summary.contains("title") ? value_or(summary, "title", std::string()) : title_in_case(run);
+    listed.title = value_or(summary, "title", std::string());
     listed.state = state_of(run, summary);
     listed.samples = value_or(samples, "total", 0);
     listed.done = value_or(samples, "done", 0);
@@ -87,6 +101,9 @@ ListedRun describe(const fs::path& run) {
     listed.finished = value_or(provenance, "finished", std::string());
     listed.commit = value_or(provenance, "commit", std::string());
     listed.verdict = value_or(value_or(summary, "answer", json::object()), "verdict", std::vector<std::string>());
+    if (listed.state != "done" && listed.state != "flaws") {
+        look_into(run, listed);
+    }
     return listed;
 }
 
@@ -161,7 +178,7 @@ std::string cut(const std::string& text, std::size_t width) {
 std::vector<ListedRun> list_runs(const fs::path& folder, RunOrder order) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
-        throw UsageError(fmt::format(
+        throw IoError(fmt::format(
             "{} is no folder; suffuse run makes runs/NAME-0001 where it is called, or -o DIR", shown(folder.string())
         ));
     }

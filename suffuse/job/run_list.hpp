@@ -12,7 +12,7 @@ namespace suffuse::job {
 struct ListedRun {
     std::string name;                 ///< of its folder
     std::string title;                ///< of its case
-    std::string state;                ///< "done", "flaws", "failed in part", "not complete", "at work"
+    std::string state;                ///< "done", "flaws", "failed in part", "not complete", "tasks emitted", "at work"
     int samples = 0, done = 0;        ///< of its case; that reached their end
     double seconds = 0;               ///< wall time of all calls
     std::string finished;             ///< of the last call, in UTC; empty where none has ended
@@ -25,7 +25,7 @@ struct ListedRun {
 enum class RunOrder { Finished, Name, Time, Samples, Title };
 
 /// In this order, the newest, longest or largest first, names from A on. Folders that hold no run are passed over.
-/// @throws UsageError where `folder` is none
+/// @throws IoError where `folder` is none
 std::vector<ListedRun> list_runs(const std::filesystem::path& folder, RunOrder order);
 
 /// A line for each, columns under each other, cut to so many columns.

@@ -46,7 +46,7 @@ TEST(RunList, HasTheRunsOfAFolderInTheRequestedOrder) {
     EXPECT_EQ(names_of(list_runs(folder.path(), RunOrder::Finished)), (Names{"a-0001", "b-0001"}));
     EXPECT_EQ(names_of(list_runs(folder.path(), RunOrder::Time)), (Names{"b-0001", "a-0001"}));
     EXPECT_EQ(names_of(list_runs(folder.path(), RunOrder::Name)), (Names{"a-0001", "b-0001"}));
-    EXPECT_THROW(list_runs(folder / "nowhere", RunOrder::Name), UsageError);
+    EXPECT_THROW(list_runs(folder / "nowhere", RunOrder::Name), IoError);
 }
 
 TEST(RunList, SaysHowFarEachRunCame) {
