@@ -90,7 +90,6 @@ TEST_F(Cli, WrongUseIsCodeTwoAndNamesWhatIsNear) {
              {{"check", "a.toml", "--color", "red"}, "auto, always or never"},
              {{"new", "--from", "fontanebleau-2016"}, "fontainebleau-2016"},
              {{"explain", "wacht"}, "watch"},
-             {{"resume", "."}, "no run"},
              {{"bench", "step", "--packing", "p.csv", "--cell", "1,2"}, "--cell"},
              {{"bench", "step", "--packing", "p.csv", "--cell", "1,2,-3"}, "--cell"},
              {{"bench", "step", "--packing", "p.csv", "--cell", "1,2,nan"}, "--cell"},

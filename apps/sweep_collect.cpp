@@ -1,9 +1,7 @@
 #include "apps/sweep_collect.hpp"
 
 #include "suffuse/base/amounts.hpp"
-#include "suffuse/base/error.hpp"
 #include "suffuse/base/shell_word.hpp"
-#include "suffuse/base/spelling.hpp"
 #include "suffuse/job/run_case.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/record/finished_stages.hpp"
@@ -63,11 +61,7 @@ void print_unfinished(const std::vector<std::string>& unfinished, const fs::path
 } // namespace
 
 int collect_tasks(const fs::path& folder, const std::string& command, const Console& console) {
-    if (!fs::exists(folder / record::resolved_case_file)) {
-        throw UsageError(
-            fmt::format("{} holds no run; give the folder that suffuse sweep --emit has named", shown(folder.string()))
-        );
-    }
+    record::check_is_run(folder); // before the lock, which would leave a file there
     const job::FolderLock lock(folder, console.warner());
     const std::string doubts = record::require_whole_run(folder);
     if (!doubts.empty()) {

@@ -36,11 +36,7 @@ fs::path
 prepare_folder(const std::string& subject, const EmitOptions& options, const Console& console, casefile::Case& what) {
     if (fs::is_directory(subject)) {
         const fs::path folder = subject;
-        if (!fs::exists(folder / record::resolved_case_file)) {
-            throw UsageError(
-                fmt::format("{} holds no run; give a case file, or the folder that suffuse run printed", shown(subject))
-            );
-        }
+        record::check_is_run(folder);
         what = record::load_run(folder);
         return folder;
     }

@@ -159,6 +159,30 @@ TEST_F(Cli, AnUnwritableOrUnreadablePlaceIsCode74) {
     EXPECT_EQ(run_suffuse({"new", "/proc/nothing", "--from", "replay"}).code, 74);
 }
 
+TEST_F(Cli, AFolderWithoutARunIsCode74ForEveryVerbThatReadsOne) {
+    std::filesystem::create_directories(folder / "empty");
+    write_to(folder / "sand.csv", "d [mm],passing [%]\n0.1,0\n0.2,40\n0.5,100\n");
+    for (const std::string run : {"nowhere", "empty"}) {
+        for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+                 {"report", run},
+                 {"resume", run},
+                 {"verify", run},
+                 {"figures", run},
+                 {"export", run, "-o", "grains.csv"},
+                 {"compare", run, run},
+                 {"watch", run},
+                 {"open", run},
+                 {"sweep", "--collect", run},
+                 {"sweep", run, "--emit", "parallel"},
+                 {"assess", "sand.csv", "--alpha-from", run}}) {
+            const ProgramResult refused = run_suffuse(words);
+            EXPECT_EQ(refused.code, 74) << words.front() << " " << run << ": " << refused.error;
+            expect_in(run, refused.error);
+        }
+    }
+    EXPECT_TRUE(std::filesystem::is_empty(folder / "empty"));
+}
+
 TEST_F(Cli, AStoppedRunGoesOnToTheSameBits) {
     run_suffuse({"new", "soil", "--from", "replay"});
     const std::vector<std::string> request = {"run", "soil/case.toml", "--no-cache"};

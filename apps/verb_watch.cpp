@@ -202,7 +202,7 @@ int WatchVerb::act(const CommandLine&, const Console& console) const {
         ));
     }
     if (!fs::exists(folder / "events.jsonl") && !job::is_at_work(folder)) {
-        throw UsageError(fmt::format(
+        throw IoError(fmt::format(
             "{} holds no run that has begun; give suffuse watch the folder that suffuse run printed", shown(run)
         ));
     }

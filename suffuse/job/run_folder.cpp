@@ -161,7 +161,7 @@ void save_request(const fs::path& folder, const RunRequest& request) {
 
 RunRequest read_request(const fs::path& folder) {
     if (!fs::exists(folder / record::options_file)) {
-        throw UsageError(
+        throw IoError(
             fmt::format("{} holds no run to resume; give the folder that suffuse run printed", shown(folder.string()))
         );
     }

@@ -33,7 +33,7 @@ void require_outside_runs(const std::filesystem::path& target);
 
 void save_request(const std::filesystem::path& folder, const RunRequest& request);
 
-/// @throws UsageError where no run began in `folder`.
+/// @throws IoError where no run began in `folder`.
 RunRequest read_request(const std::filesystem::path& folder);
 
 /// flock without waiting; `kind` is LOCK_SH or LOCK_EX. @return 0, EWOULDBLOCK where another program holds it, or why
