@@ -357,6 +357,30 @@ TEST_F(Damaged, FilesOfTheUserInARunFolderStayUnsigned) {
     EXPECT_EQ(verified.json().at("came_later").size(), files.size());
 }
 
+TEST_F(Damaged, OfAStageThatFailedOnlyItsMessageIsSigned) {
+    const std::string text = read_all(examples + "replay/case.toml");
+    write_to(
+        folder / "soil/case.toml", text.substr(0, text.find("[[study.replay.stage]]\nname      = \"compressed\"")) +
+                                       "[[study.replay.stage]]\nname = \"sheared\"\ndo = \"triaxial\"\n"
+                                       "strain = \"0.0005 %\"\nstress_ratio = 0.9\n"
+    );
+    ASSERT_EQ(run_suffuse({"run", "soil/case.toml", "-o", "failed", "--no-cache"}).code, 1);
+    const std::string sheared = "failed/studies/replay/sheared/";
+    ASSERT_TRUE(fs::exists(folder / (sheared + "failed.json")));
+    write_to(folder / (sheared + "history.csv"), "half of a ta");
+    write_to(folder / (sheared + "notes.txt"), "the user's");
+    EXPECT_EQ(run_suffuse({"report", "failed"}).code, 1) << "as the run";
+    const std::string sums = read_all(folder / "failed/SHA256SUMS");
+    expect_in("studies/replay/sheared/failed.json", sums);
+    EXPECT_EQ(sums.find("studies/replay/sheared/history.csv"), std::string::npos) << sums;
+    write_to(folder / (sheared + "notes.txt"), "the user's, later");
+    const ProgramResult verified = run_suffuse({"verify", "failed", "--json"});
+    EXPECT_EQ(verified.code, 5);
+    EXPECT_EQ(verified.json().at("damages").size(), 0U) << verified.out;
+    EXPECT_EQ(verified.json().at("came_later").size(), 2U) << verified.out;
+    EXPECT_EQ(verified.json().at("missing_stages").at(0), "replay/sheared");
+}
+
 TEST_F(Damaged, WhatTasksSayAndHiddenFoldersAreNotSignedForTheyGoOnChanging) {
     for (const char* const name : {"tasks", ".snakemake"}) {
         fs::create_directories(folder / "here" / name);

@@ -76,10 +76,13 @@ int VerifyVerb::act(const CommandLine&, const Console& console) const {
         ));
     }
     for (const std::string& name : found.more) {
-        console.detail("came later: " + name);
+        console.detail("no checksum: " + name);
     }
     if (!found.more.empty()) {
-        console.talk(fmt::format("{} came after the checksums; -v lists them", plural(std::ssize(found.more), "file")));
+        console.talk(fmt::format(
+            "{} without a checksum, which came later or which an unfinished stage left; -v lists them",
+            plural(std::ssize(found.more), "file")
+        ));
     }
     console.document(json_text(found));
     return found.damages.empty() && is_complete ? Done : Differs;

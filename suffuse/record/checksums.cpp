@@ -68,7 +68,7 @@ bool is_own(const fs::path& run, const fs::path& name, const std::vector<std::st
     if (folder == "figures") {
         return std::ranges::count(figures, file) > 0;
     }
-    const bool is_of_stage = fs::exists(run / folder / "stage.json") || fs::exists(run / folder / failure_file);
+    const bool is_of_stage = fs::exists(run / folder / "stage.json") || file == failure_file;
     return *folder.begin() == "studies" && (is_of_stage || std::ranges::count(results_of_sample, file) > 0);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 // SHA256SUMS of a run folder: every file of the results, and what became of them. What the stages left has the
 // checksums that it got when its stage ended, so that nothing damaged is ever signed. What goes on changing is left
-// out: the log of events, the progress, what tasks say, the working files of stages under way, hidden files.
+// out: the log of events, the progress, what tasks say, the working files of stages under way, hidden files. A stage
+// that failed has a checksum of failed.json alone: what else it left may be half of a file.
 
 #include "suffuse/record/missing_stages.hpp"
 #include "suffuse/record/sums.hpp"
@@ -46,7 +47,7 @@ struct Verification {
     std::vector<std::string> without_checksums; ///< those of them that have no checksums of their own
     std::vector<std::string> unverified;        ///< those whose key cannot be compared: perhaps of another case
     std::vector<Damage> damages;
-    std::vector<std::string> more; ///< files that came after the checksums
+    std::vector<std::string> more; ///< files that came after the checksums, or that an unfinished stage left
     MissingStages missing;         ///< stages that the case has and the folder has not
     std::string until;             ///< the stage that the run was to end with, where it did; else empty
 };
