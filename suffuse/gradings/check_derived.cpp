@@ -156,7 +156,8 @@ void check_derived(
     const std::vector<DerivedValue>& values, const Grading& grading, const std::string& soil, Problems& problems
 ) {
     for (const DerivedValue& value : values) {
-        if (!value.value || value.kind == Kind::Other || value.kind == Kind::Loss) {
+        const bool is_mass = value.kind == Kind::Fines && !value.unit.empty() && value.unit != "%";
+        if (!value.value || is_mass || value.kind == Kind::Other || value.kind == Kind::Loss) {
             continue;
         }
         const bool is_size = value.kind == Kind::SizeAt || value.kind == Kind::Largest;

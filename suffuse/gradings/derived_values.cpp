@@ -153,15 +153,22 @@ bool is_size_kind(Kind kind) {
     return kind == Kind::SizeAt || kind == Kind::Largest;
 }
 
+/// "%", "g": what stands behind the last digit.
+std::string_view unit_behind(std::string_view text) {
+    return trimmed(text.substr(std::min(text.find_last_of("0123456789.") + 1, text.size())));
+}
+
 /// What a cell says of a named value, in SI.
 std::optional<double> value_in(const DerivedValue& named, std::string_view text, SizeScale scale, bool comma) {
     if (is_size_kind(named.kind)) {
         const auto size = read_sieve_size(text, scale == SizeScale::Unknown ? SizeScale::Millimeters : scale, comma);
         return size ? std::optional(size->diameter) : std::nullopt;
     }
+    const std::string_view unit = unit_behind(text);
+    const bool is_percent = unit == "%";
+    const bool is_mass = named.kind == Kind::Fines && share_unit_named(unit) == ShareUnit::Mass;
     text = trimmed(text);
-    const bool is_percent = text.ends_with('%');
-    const auto number = plain_number(is_percent ? text.substr(0, text.size() - 1) : text, comma);
+    const auto number = plain_number(text.substr(0, text.size() - (is_percent || is_mass ? unit.size() : 0)), comma);
     const bool is_ratio = named.kind == Kind::Uniformity || named.kind == Kind::Curvature ||
                           named.kind == Kind::Other || named.kind == Kind::Loss;
     if (named.kind == Kind::Loss && is_percent) { // "Loss: 0.3 %" is computed from a loss, and none
@@ -243,7 +250,7 @@ private:
             found_.push_back(names_[name]);
         }
         DerivedValue& derived = is_more ? found_.back() : found_[first_ + name];
-        derived.value = value, derived.column = of_soil, derived.has_percent = trimmed(text).ends_with('%');
+        derived.value = value, derived.column = of_soil, derived.unit = unit_behind(text);
     }
 
     const Sheet& sheet_;

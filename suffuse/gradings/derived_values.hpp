@@ -37,8 +37,8 @@ struct DerivedValue {
     std::optional<double> value; ///< size [m], share [-], ratio; empty where none was written
     std::string name;            ///< as written
     Place place;
-    std::size_t column = 0;   ///< of the value in its sheet, from 0
-    bool has_percent = false; ///< at the value
+    std::size_t column = 0; ///< of the value in its sheet, from 0
+    std::string unit;       ///< behind its number: "%", "g"
 };
 
 /// What a text names, as in "D60 (mm)", "% Gravel", "Cu", "D10= 0.12"; empty where it names none of these.

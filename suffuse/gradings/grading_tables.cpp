@@ -172,13 +172,14 @@ void take_fines(SievedSoil& soil, TableNotes& notes) {
         return value.kind == Kind::Gravel || value.kind == Kind::Sand;
     });
     const auto fines = std::ranges::find_if(notes.derived, [&soil](const DerivedValue& value) {
-        return value.kind == Kind::Fines && value.value && value.column == soil.column && !value.has_percent &&
+        return value.kind == Kind::Fines && value.value && value.column == soil.column && value.unit != "%" &&
                value.name.find('%') == std::string::npos && read_heading(value.name).unit != ShareUnit::Percent;
     });
     if (soil.unit != ShareUnit::Mass || !soil.pan || are_results || fines == notes.derived.end()) {
         return;
     }
-    const Heading heading = read_heading(fines->name); // "Fines (g)"
+    const Heading heading =
+        read_heading(fines->unit.empty() ? fines->name : fmt::format("fines ({})", fines->unit)); // "Fines (g)"
     const bool is_mass = heading.unit == ShareUnit::Mass;
     const std::string unit = is_mass ? heading.mass_unit : soil.mass_unit;
     soil.fines = {
