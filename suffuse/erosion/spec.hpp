@@ -33,7 +33,7 @@ struct WeighedMotion {
 
 /// Step 3: coarse grains held, fluid forces ramped on the fines of a copy and kept, with a twin without fluid.
 struct ProbeSpec {
-    std::int64_t ramp = 1000;       ///< steps from no force to the full force
+    std::int64_t ramp = 100;        ///< steps from no force to the full force; of 1 to 1000, few verdicts differ
     std::int64_t watch = 1000;      ///< steps at the full force; the paper's value
     bool hold_coarse = true;        ///< the paper holds them
     double unbalanced_force = 1e-8; ///< the probe starts from the equilibrium relaxed to this at constant volume [-]
