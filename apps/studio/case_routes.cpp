@@ -40,9 +40,12 @@ void make_case(const httplib::Request& request, httplib::Response& response) {
         add_options(
             request,
             {"sample", "size", "passing", "retained", "share", "mass", "by", "sheet", "rows", "fines", "sizes",
-             "particles", "pressure", "gradient", "flow"},
+             "particles", "pressure", "gradient", "flow", "filter-sample"},
             words
         );
+        if (request.has_file("filter")) {
+            words.push_back("--filter=" + take_upload(request, "filter", folder.path()));
+        }
         if (field(request, "surrogate") == "yes") {
             words.emplace_back("--surrogate");
         }
@@ -130,9 +133,7 @@ void start_and_watch(
     if (!has_ended) {
         std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // so that it leaves the list of processes
     } else if (!fs::exists(work_folder(run) / "events.jsonl")) {
-        const std::string text = read_whole_file(log.string());
-        constexpr std::size_t most = 4000;
-        throw Refusal(422, text.substr(text.size() - std::min(most, text.size())));
+        throw Refusal(422, last_words(log));
     }
 }
 

@@ -194,10 +194,23 @@ void remove_run(const fs::path& run) {
 fs::path make_numbered_folder(const fs::path& root, const std::string& name) {
     for (int number = 1;; ++number) {
         fs::path folder = root / fmt::format("{}-{:04}", name, number);
-        if (io::make_folder(folder)) {
+        const bool has_case =
+            fs::exists(fs::symlink_status(root / "cases" / folder.filename())); // of a run now deleted
+        if (!has_case && io::make_folder(folder)) {
             return folder;
         }
     }
+}
+
+std::string last_words(const fs::path& log) {
+    constexpr std::streamoff most = 4000; // [B]
+    std::error_code error;
+    if (fs::canonical(log, error) != log || !fs::is_regular_file(log, error)) {
+        return "";
+    }
+    std::ifstream file(log, std::ios::binary | std::ios::ate);
+    file.seekg(std::max(std::streamoff{0}, static_cast<std::streamoff>(file.tellg()) - most));
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 std::string folder_name(const std::string& title) {

@@ -47,7 +47,10 @@ void stop_run(const std::filesystem::path& run);
 /// Removes a run that has provenance.json. @throws Refusal 403 for another folder, 409 while it is worked on.
 void remove_run(const std::filesystem::path& run);
 
-/// A new folder NAME-0001, or the next free number.
+/// The end of what a run has said. Links are not followed.
+std::string last_words(const std::filesystem::path& log);
+
+/// A new folder NAME-0001, or the next number that is free here and among the cases.
 std::filesystem::path make_numbered_folder(const std::filesystem::path& root, const std::string& name);
 
 /// "Dam, north" -> "dam-north": letters, digits and hyphens.

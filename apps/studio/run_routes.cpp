@@ -84,6 +84,7 @@ void show_run(const httplib::Request& request, httplib::Response& response, cons
          {"events", events_of(work)},
          {"calibration", calibration_in(run)},
          {"done", finished_stages(run)},
+         {"last_words", is_at_work ? "" : last_words(studio.folder / "cases" / run.filename() / "log.txt")},
          {"tasks", fs::is_regular_file(fs::symlink_status(run / "sweep.sbatch"))},
          {"report", fs::is_regular_file(run / "report.html")}}
     );

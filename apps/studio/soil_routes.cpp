@@ -22,6 +22,7 @@ void assess(const httplib::Request& request, httplib::Response& response) {
     add_options(request, {"fines", "gradient", "flow", "relative-density", "porosity", "density", "alpha"}, words);
     if (request.has_file("filter")) {
         words.push_back("--filter=" + take_upload(request, "filter", folder.path()));
+        add_options(request, {"filter-sample"}, words);
     }
     answer_call(response, call_program(words, folder.path()));
 }

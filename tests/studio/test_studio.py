@@ -5,6 +5,7 @@ Each test starts the real program on a folder of its own and speaks HTTP to it, 
 import concurrent.futures
 import json
 import pathlib
+import re
 import signal
 import socket
 
@@ -198,6 +199,23 @@ class Soils(InAFolder):
         self.assertTrue(by_studio.pop("soil").endswith(by_program.pop("soil")))
         self.assertEqual(by_studio, by_program)
 
+    def test_one_soil_of_a_filters_sheet_is_named_as_in_assess_and_new(self):
+        sheet = "sample,d [mm],passing [%]\nfine,0.9,0\nfine,1.2,100\ncoarse,1.4,0\ncoarse,1.8,100\n"
+        (self.folder / "gap.csv").write_text(CURVE)
+        (self.folder / "filters.csv").write_text(sheet)
+        filters = ["gap.csv", "--filter", "filters.csv", "--filter-sample", "coarse", "--json"]
+        by_program = json.loads(self.suffuse("assess", *filters).stdout)["soils"][0]["filter"]
+        studio = self.studio()
+        fields = {"curve": ("gap.csv", CURVE), "filter": ("filters.csv", sheet), "filter-sample": "coarse"}
+        by_studio = json.loads(studio.post("/api/assess", fields).text)["result"]["soils"][0]["filter"]
+        self.assertEqual(by_studio["criteria"], by_program["criteria"])
+        base = "d [mm],passing [%]\n0.2,0\n0.25,50\n0.3,100\n"
+        made = json.loads(studio.post("/api/new", {**fields, "curve": ("base.csv", base)}).text)["result"]
+        self.assertIn("coarse", made["case"])
+        self.assertEqual(sorted(made["files"]), ["data/base.csv", "data/coarse.csv"])
+        unnamed = studio.post("/api/assess", {**fields, "filter-sample": ""})
+        self.assertEqual(unnamed.status, 422)
+
     def test_a_misread_column_is_corrected_by_its_number(self):
         sheet = "a;b;c\n4;9;100\n2;9;60\n1;9;20\n0.5;9;0\n"
         studio = self.studio()
@@ -236,6 +254,32 @@ class Runs(InAFolder):
         self.assertTrue(state["report"] and state["can_delete"])
         self.assertEqual(state["events"][-1]["event"], "run ends")
         self.assertEqual(studio.get("/runs/my-replay-0001/report.html").headers["Content-Type"], "text/html; charset=utf-8")
+
+    def test_the_number_of_a_deleted_run_is_not_used_again_for_its_case_is_kept(self):
+        studio = self.studio()
+        case, names = self.case(studio), []
+        for title in ("one", "two"):
+            changed = {**case, "case": re.sub(r"title *=.*", f'title = "{title}"', case["case"]), "name": "again"}
+            names.append(json.loads(studio.post("/api/start", changed).text)["run"])
+            run = self.runs / names[-1]
+            self.wait("the run ends", lambda: (run / "summary.json").exists() and not studio.get_json(f"/api/runs/{names[-1]}")["at_work"])
+            self.assertEqual(studio.post(f"/api/runs/{names[-1]}/delete").status, 200)
+        self.assertEqual(names, ["again-0001", "again-0002"])
+        self.assertIn('"one"', (self.runs / "cases" / "again-0001" / "case.toml").read_text())
+
+    def test_the_last_words_of_a_run_are_shown_and_none_behind_a_link(self):
+        run = self.finished_run()
+        studio = self.studio()
+        last_words = lambda: studio.get_json(f"/api/runs/{run}")["last_words"]
+        self.assertEqual(last_words(), "")  # it was not started here
+        log = self.runs / "cases" / run / "log.txt"
+        log.parent.mkdir(parents=True)
+        log.write_text("x" * 10_000 + "no space left")
+        self.assertEqual(last_words(), "x" * (4000 - 13) + "no space left")
+        (self.folder / "secret").write_text("secret")
+        log.unlink()
+        log.symlink_to(self.folder / "secret")
+        self.assertEqual(last_words(), "")
 
     def test_every_example_that_is_offered_can_be_started_from(self):
         studio = self.studio()

@@ -19,7 +19,7 @@ export async function readAnswer(name) {
 export function outcomeOf(answer, last) {
   if (answer?.complete) return "done";
   if (last?.event !== "run ends") return "";
-  return last.outcome === "time limit" ? "time limit" : "stopped"; // between two rounds, too
+  return last.outcome === "time limit reached" ? last.outcome : "stopped"; // between two rounds, too
 }
 
 export function roundsTable(run) {

@@ -7,6 +7,15 @@ import { connectSweep, openSweep } from "./sweep.js";
 
 const tabs = ["soil", "simulate", "runs", "sweep"];
 
+/** A name out of the address, which may have been typed. */
+function decoded(text) {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}
+
 function open() {
   const [word, ...rest] = location.hash.slice(1).split("/"), tab = tabs.includes(word) ? word : "soil";
   for (const each of tabs) $(each).hidden = each !== tab;
@@ -17,7 +26,7 @@ function open() {
   trouble();
   window.scrollTo(0, 0); // the address names the tab, and browsers jump to what it names
   if (tab === "simulate") openSimulate();
-  const name = decodeURIComponent(rest.join("/"));
+  const name = decoded(rest.join("/"));
   if (tab === "runs") openRuns(name);
   if (tab === "sweep") openSweep(name);
 }

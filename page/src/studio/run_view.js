@@ -71,6 +71,7 @@ export class RunView {
     } catch (error) {
       if (this.name !== name) return;
       trouble(error);
+      if (error.status === 404) this.place.innerHTML = `<p class="cap">${escaped(`There is no run ${name} in this folder (any more).`)}</p>`;
       if (error.status === 0) this.timer = setTimeout(() => this.poll(), 5000); // a server that comes back
     }
   }
@@ -101,7 +102,7 @@ export class RunView {
     const share = latest?.stages ? latest.stages_done / latest.stages : 0;
     this.find(".state").innerHTML = run.at_work
       ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts">${round ? `<span>round <b>${escaped(round)}</b></span>` : ""}<span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
-      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}${run.calibration ? "" : `, after ${seconds(last.wall_seconds)}`}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed. Resume it."}</p>`;
+      : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}${run.calibration ? "" : `, after ${seconds(last.wall_seconds)}`}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed, or an error ended it. Resume it."}</p>${run.last_words && outcome !== "done" ? `<details${outcome ? "" : " open"}><summary>The last that it printed</summary><pre class="talk" tabindex="0" aria-label="The last that it printed">${escaped(run.last_words)}</pre></details>` : ""}`;
     this.grains.isAtWork = run.at_work;
     this.buttons(run, outcome);
     this.body(run, { done, failed, running });
@@ -167,7 +168,7 @@ export class RunView {
   }
 
   buttons(run, outcome) {
-    const isResumable = !run.at_work && (outcome === "" || outcome === "stopped" || outcome === "time limit");
+    const isResumable = !run.at_work && ["", "stopped", "time limit reached", "failed in part"].includes(outcome);
     const wanted = [
       run.can_stop && ["stop", "Stop and save"], run.tasks && !run.at_work && ["collect", "Gather the tasks"], isResumable && ["resume", "Resume"], !run.at_work && run.report && outcome && ["pdf", "PDF of the report"],
       ...this.moreButtons(run), !run.at_work && run.report && ["open", "Open the report alone"], run.can_delete && ["delete", "Delete …"],

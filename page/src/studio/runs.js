@@ -37,8 +37,7 @@ export async function loadRuns() {
 
 async function compare() {
   const [one, other] = [...chosen];
-  view.close();
-  current = "";
+  showNone();
   draw();
   $("run").innerHTML = "<p class=\"cap\">Comparing …</p>";
   try {
@@ -50,18 +49,32 @@ async function compare() {
   }
 }
 
+/** Shows no run. The address names none either, so that a link to the run before is a change. */
+function showNone() {
+  current = "";
+  view.close();
+  $("run").innerHTML = "<p class=\"cap\">Choose a run.</p>";
+  history.replaceState(null, "", "#runs");
+}
+
+/** A run has ended, or is gone. */
+function changed() {
+  if (!view.name) showNone();
+  loadRuns();
+}
+
 /** Opens the tab, and a run where one is named. */
 export function openRuns(name) {
   loadRuns();
   if (name === current) return;
   current = name;
   if (name) view.show(name);
-  else view.close();
+  else showNone();
   draw();
 }
 
 export function connectRuns() {
-  view = new RunView($("run"), loadRuns);
+  view = new RunView($("run"), changed);
   $("search").addEventListener("input", draw);
   $("compare").addEventListener("click", compare);
   $("run-table").addEventListener("change", (event) => {
