@@ -10,6 +10,7 @@ export class CaseEditor {
     this.planned = planned;
     this.changed = changed;
     this.files = {}; // what the case names
+    this.origin = null; // what the text was written from
     this.price = afterChanges(600, (signal) => this.check(signal));
     this.at("preset").addEventListener("change", this.price);
     this.at("case").addEventListener("input", () => this.set(this.text));
@@ -29,8 +30,10 @@ export class CaseEditor {
     this.price();
   }
 
-  take(text, files, name) {
+  /** Another case. @param origin what it was written from, as the caller understands it */
+  take(text, files, name, origin = null) {
     this.files = files;
+    this.origin = origin;
     this.at("name").value = name;
     this.set(text);
   }

@@ -1,12 +1,12 @@
 // The tab Simulate: a case made from the soil or from an example, its text, its price, and its run.
-import { $, escaped, list, secondsRange, trouble } from "./words.js";
+import { $, escaped, list, numberIn, secondsRange, trouble } from "./words.js";
 import { get, post } from "./server.js";
 import { CaseEditor } from "./case_editor.js";
 import { RunView } from "./run_view.js";
 import { calibrationLimits, connectCalibration } from "./calibrate_form.js";
 import { calibrates } from "./calibrate_text.js";
 import { connectTests, offerTests } from "./test_form.js";
-import { conditionFields, curveFields, showSizes, soil } from "./soil.js";
+import { conditionFields, curveFields, filterFields, showSizes, soil, withUnit } from "./soil.js";
 
 /** What is known of an example beyond its name. */
 export const titles = {
@@ -23,28 +23,67 @@ const planned = (plan) => plan.first ? plannedSamples(plan) : `<table><thead><tr
 /** The case as it is now, which a sweep can start from. */
 export const caseNow = () => ({ text: editor.text, files: editor.files, name: $("name").value });
 
-/** @param overwrites a text that came while the case was on its way */
-async function make(overwrites) {
+/** What the form requests as a case. @throws for a field that is wrong or missing */
+function wantedFields() {
   const example = $("from").value, way = $("way").value;
+  if (example) return { from: example };
+  if (!soil.curve) throw new Error("Give a soil in the first tab, or start from an example.");
+  if (way === "part" && !(numberIn("size-from") && numberIn("size-to"))) throw new Error("Give both sizes of the part, from and to.");
+  if (way === "filter" && !soil.filter) throw new Error("Give the filter in the first tab.");
+  const { fines, ...water } = conditionFields(), isAlone = way !== "filter"; // a stack is as wide as its grains need
+  return {
+    ...curveFields(), ...water, pressure: withUnit("pressure", "kPa"), surrogate: way === "surrogate" ? "yes" : "",
+    ...(isAlone ? { fines, particles: $("particles").value } : filterFields()),
+    sizes: way === "part" ? `${numberIn("size-from")}mm,${numberIn("size-to")}mm` : "",
+  };
+}
+
+/** The same as a text that can be compared; for a form that is wrong, what is wrong. */
+function wantedNow() {
+  try {
+    const { curve, filter, ...words } = wantedFields();
+    return JSON.stringify([words, curve && [curve.name, soil.text, soil.curve.d, soil.curve.f], filter?.name, filter && soil.filter.samples]);
+  } catch (error) {
+    return error.message;
+  }
+}
+
+/** Says where the case is not that of the form. */
+function showStale() {
+  const { origin, text } = editor, isStale = text && origin && origin.wanted !== wantedNow();
+  $("stale").hidden = !isStale;
+  $("stale").textContent = isStale ? `This case was written from ${origin.name}; the form or the soil has changed since. “Write the case” writes it anew.` : "";
+}
+
+/** Whether the text is another than the form has written. */
+const isOwnText = () => editor.text !== (editor.origin?.text ?? "");
+
+/** What to choose on this page where a case cannot be written; the sizes that the program proposes are filled in. */
+function adviceOn(error) {
+  if ($("from").value || !soil.curve || $("way").value || !error.status) return [];
+  const [, from, to] = error.message.match(/--sizes ([\d.]+)mm,([\d.]+)mm/) ?? [];
+  if (!from) return ["A soil that is too wide to simulate whole can be modeled in part, or by a surrogate: choose under Model it."];
+  $("size-from").value = from;
+  $("size-to").value = to;
+  return [`This soil is too wide to simulate whole. Choose under Model it: a part of it, from ${from} to ${to} mm, or a surrogate.`];
+}
+
+/** @param overwrites also a text that was changed by hand */
+async function make(overwrites) {
   $("make").disabled = true;
   try {
-    if (!example && !soil.curve) throw new Error("Give a soil in the first tab, or start from an example.");
-    const sizes = way === "part" && $("size-from").value && $("size-to").value;
-    const { result, talk } = await post("/api/new", example ? { from: example } : {
-      ...curveFields(), ...conditionFields(), surrogate: way === "surrogate" ? "yes" : "",
-      sizes: sizes ? `${$("size-from").value}mm,${$("size-to").value}mm` : "",
-      particles: $("particles").value, pressure: $("pressure").value ? `${$("pressure").value}kPa` : "",
-    });
-    if (!overwrites && editor.text) return;
+    const wanted = wantedNow(), { result, talk } = await post("/api/new", wantedFields());
+    if (!overwrites && editor.text && isOwnText()) return; // typed while the case was on its way
     trouble();
     $("made").innerHTML = list(talk.filter((line) => !line.startsWith("next:")));
-    editor.take(result.case, result.files, example || soil.curve.name.replace(/\.[^.]*$/, ""));
+    const name = $("from").value || soil.curve.name.replace(/\.[^.]*$/, "");
+    editor.take(result.case, result.files, name, { name, wanted, text: result.case });
   } catch (error) {
     trouble(error);
-    const isWhole = !example && soil.curve && way === "";
-    $("made").innerHTML = isWhole ? list(["A soil that is too wide to simulate whole can be modeled in part, or by a surrogate: choose under Model it."]) : "";
+    $("made").innerHTML = list([error.message.split("\n")[0], ...adviceOn(error)]); // stays, whatever succeeds next
   } finally {
     $("make").disabled = false;
+    showStale();
   }
 }
 
@@ -55,23 +94,32 @@ async function start() {
   $("live").scrollIntoView({ block: "start" });
 }
 
-const showConditions = () => {
-  const { gradient, flow } = conditionFields();
-  $("conditions").textContent = soil.curve
-    ? `${soil.curve.name}${soil.curve.isEdited ? " (edited)" : ""}; ${gradient ? `i = ${gradient}, flow ${flow}` : "no gradient given"}. Change these in the tab Soil.` : "No soil is given yet.";
-};
+function showConditions() {
+  try {
+    const { gradient, flow } = conditionFields(), apart = [["density", "density"], ["porosity", "porosity"], ["grain-density", "density of the grains"], ["alpha", "α"]].filter(([id]) => $(id).value.trim());
+    const more = apart.length ? ` The ${apart.map(([, name]) => name).join(", ")} given there count for the criteria alone; the case has its own.` : "";
+    $("conditions").textContent = soil.curve
+      ? `${soil.curve.name}${soil.curve.isEdited ? " (edited)" : ""}; ${gradient ? `i = ${gradient}, flow ${flow}` : "no gradient given"}. Change these in the tab Soil.${more}` : "No soil is given yet.";
+  } catch (error) {
+    $("conditions").textContent = error.message;
+  }
+}
 
 const showWay = () => {
+  const way = $("way").value, isPart = way === "part", of = (id) => Number($(id).value.replace(",", ".")) / 1e3;
   $("own").hidden = $("from").value !== "";
-  $("sizes-row").hidden = $("way").value !== "part";
-  const sizes = $("way").value === "part" && $("size-from").value && $("size-to").value;
-  showSizes(sizes ? [Number($("size-from").value) / 1e3, Number($("size-to").value) / 1e3] : null);
+  $("sizes-row").hidden = !isPart;
+  $("particles-row").hidden = way === "filter";
+  showSizes(isPart && of("size-from") > 0 && of("size-to") > 0 ? [of("size-from"), of("size-to")] : null);
+  showStale();
 };
 
-/** When the tab is opened: with the first soil, its case is written at once. */
+/** When the tab is opened: the case of the soil is written at once, unless a text that was typed is there. */
 export function openSimulate() {
   showConditions();
-  if (soil.curve && !$("case").value && !$("from").value) make(false);
+  showStale();
+  const isWritten = editor.text && (isOwnText() || editor.origin.wanted === wantedNow());
+  if (soil.curve && !$("from").value && !isWritten) make(false);
 }
 
 export function connectSimulate() {
@@ -82,7 +130,7 @@ export function connectSimulate() {
   get("/api/examples").then(({ result }) => {
     $("from").innerHTML += result.map((name) => `<option value="${escaped(name)}">${escaped(name)}${titles[name] ? `: ${titles[name]}` : ""}</option>`).join("");
   }, trouble);
-  for (const id of ["from", "way", "size-from", "size-to"]) $(id).addEventListener("input", showWay);
+  for (const id of ["from", "way", "size-from", "size-to", "particles", "pressure"]) $(id).addEventListener("input", showWay);
   $("make").addEventListener("click", () => make(true));
   $("start").addEventListener("click", start);
 }

@@ -1,20 +1,26 @@
 // The tab Soil: a curve, how it was read, and what the criteria and the atlas say of it. All numbers are the server's.
-import { $, escaped, list, mm, three, trouble } from "./words.js";
+import { $, escaped, list, mm, numberIn, three, trouble } from "./words.js";
 import { afterChanges, post } from "./server.js";
 
 const { attach } = globalThis.CurveChart;
 
 /** The soil as given, and as edited: what the other tabs start from. */
-export const soil = { name: "", blob: null, samples: [], which: 0, curve: null, found: null, filter: null, sizes: null };
+export const soil = { name: "", blob: null, text: "", samples: [], which: 0, curve: null, found: null, filter: null, sizes: null };
 
 const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"], transition: ["un", "~ transition"], holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"] };
 const known = (value) => (value === null ? undefined : value);
 
-/** The words of the form that say how the file is read. */
+/** How the amounts were read, as the option that says so. */
+const kindOf = (reading) => (reading.kind?.startsWith("retained on a sieve") ? "retained" : reading.kind?.startsWith("retained on each") ? (reading.share_unit === "%" ? "share" : "mass") : "passing");
+
+/** The words of the form that say how the file is read. The program wants to know both columns or none: what is left open is as it was found. */
 function readingFields() {
-  const unit = $("size-unit").value, column = $("size-column").value, amount = $("amount-column").value, fields = {};
-  if (column) fields.size = column + (unit ? `:${unit}` : "");
-  if (amount) fields[$("amount-kind").value] = amount;
+  const [column, unit, amount, kind] = ["size-column", "size-unit", "amount-column", "amount-kind"].map((id) => $(id).value), fields = {};
+  if (column || unit || amount || kind) {
+    const found = soil.samples[soil.which]?.reading ?? {};
+    fields.size = (column || found.size || "1") + (unit ? `:${unit}` : "");
+    fields[kind || kindOf(found)] = amount || found.share || "2";
+  }
   return { ...fields, by: $("by").value, sheet: $("sheet").value, rows: $("rows").value };
 }
 
@@ -29,15 +35,25 @@ export function curveFields() {
   return { curve: { name: soil.name, blob: soil.blob }, ...readingFields(), sample };
 }
 
-/** What the soil is under, as `assess` and `new` call it. */
+const seeps = () => Number(numberIn("gradient-number")) > 0;
+export const withUnit = (id, unit) => (numberIn(id) ? numberIn(id) + unit : "");
+
+/** Its filter, for the server: of a table with several soils one of them. */
+export const filterFields = () => (soil.filter ? { filter: soil.filter, "filter-sample": soil.filter.samples.length > 1 ? $("filter-sample").value : "" } : {});
+
+/** What the soil is under, as `assess` and `new` call it. @throws for a field that is no number */
 export const conditionFields = () => ({
-  gradient: Number($("gradient").value) > 0 ? $("gradient").value : "", flow: Number($("gradient").value) > 0 ? $("flow").value : "",
-  fines: $("fines").value ? `${$("fines").value}mm` : "",
+  gradient: seeps() ? numberIn("gradient-number") : "", flow: seeps() ? $("flow").value : "", fines: withUnit("fines", "mm"),
 });
 
 /** What only counts where water seeps. */
-const seepageFields = () => (Number($("gradient").value) > 0
-  ? { alpha: $("alpha").value, porosity: $("porosity").value, density: $("grain-density").value ? `${$("grain-density").value}kg/m^3` : "" } : {});
+const seepageFields = () => (seeps() ? { alpha: numberIn("alpha"), porosity: numberIn("porosity"), density: withUnit("grain-density", "kg/m^3") } : {});
+
+/** Fields that are given and count for nothing without a gradient. */
+function showIgnored() {
+  const given = [["porosity", "porosity"], ["grain-density", "density of the grains"], ["alpha", "α"]].filter(([id]) => $(id).value.trim()).map(([, name]) => name);
+  $("ignored").textContent = given.length && !Number($("gradient-number").value.replace(",", ".")) ? `Counts only with a gradient: ${given.join(", ")}.` : "";
+}
 
 /** Columns of a table, for the choice: the number of each, and its heading. */
 function columnsOf(text) {
@@ -61,19 +77,52 @@ function offerColumns(text) {
 }
 
 function readAsFound() {
-  for (const id of ["size-column", "size-unit", "amount-column", "by", "sheet", "rows"]) $(id).value = "";
+  for (const id of ["size-column", "size-unit", "amount-column", "amount-kind", "by", "sheet", "rows"]) $(id).value = "";
 }
 
-/** A file that was dropped, chosen or pasted. */
-async function take(name, blob) {
-  soil.name = name;
-  soil.blob = blob;
-  soil.which = 0;
+/** The text of a file as the program decodes it: what is not UTF-8 is Windows-1252. Empty where it is none, or too long to edit. */
+function textOf(bytes) {
+  const most = 200_000;
+  if (bytes.byteLength > most) return "";
+  const decoded = (encoding) => new TextDecoder(encoding, { fatal: encoding === "utf-8" }).decode(bytes);
+  let text;
+  try {
+    text = decoded("utf-8");
+  } catch {
+    text = decoded("windows-1252");
+  }
+  return text.includes("\0") ? "" : text;
+}
+
+/** A file that was dropped or chosen. Its bytes are read at once: browsers send no file that has changed since. */
+async function take(file) {
+  try {
+    const bytes = await file.arrayBuffer();
+    Object.assign(soil, { name: file.name, blob: new Blob([bytes]), text: textOf(bytes), samples: [], which: 0 });
+  } catch {
+    forget();
+    trouble(new Error(`${file.name} cannot be read. If it was changed or moved, choose it again.`));
+    return;
+  }
   readAsFound();
-  const most = 200_000, text = blob.size < most ? await blob.text() : "";
-  $("table").value = text.includes("\0") ? "" : text;
-  offerColumns(text);
+  $("table").value = soil.text;
+  offerColumns(soil.text);
   read();
+}
+
+/** Takes away what was said of a soil that is no longer the one in the form. */
+function forgetAnswer(words) {
+  soil.found = null;
+  $("verdict").textContent = words;
+  $("soil-results").innerHTML = "";
+}
+
+function forget() {
+  soil.curve = null;
+  $("curve").setAttribute("hidden", "");
+  for (const id of ["soil-confidence", "soil-buttons", "curve-hint", "sample-row"]) $(id).hidden = true;
+  for (const id of ["reading", "remarks", "curve-note", "printed-points"]) $(id).textContent = "";
+  forgetAnswer(soil.blob?.size ? "This cannot be read as a grading." : "Drop a grading, or paste one.");
 }
 
 /** Reads the file anew: its samples and their points. */
@@ -87,10 +136,9 @@ const read = afterChanges(60, async (signal) => {
     choose(soil.which);
   } catch (error) {
     if (error.name === "AbortError") throw error;
-    $("reading").textContent = "";
-    $("remarks").innerHTML = "";
-    trouble(error);
-    $("correct").open = true;
+    forget();
+    trouble(soil.blob.size ? error : undefined);
+    $("correct").open = soil.blob.size > 0;
   }
 });
 
@@ -98,12 +146,14 @@ const read = afterChanges(60, async (signal) => {
 function choose(which) {
   soil.which = which;
   const given = soil.samples[which];
+  $("table").value = soil.text; // where the curve was edited, the table was as well
+  soil.found = null;
   soil.curve = { name: given.soil || soil.name, d: [...given.diameter], f: [...given.passing], isEdited: false };
   $("sample-row").hidden = soil.samples.length < 2;
   $("sample").innerHTML = soil.samples.map((s, k) => `<option value="${k}">${escaped(s.soil)}</option>`).join("");
   $("sample").value = String(which);
   const { size, unit, share, kind, share_unit: shareUnit } = given.reading;
-  $("reading").textContent = `sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}, in ${shareUnit}`;
+  $("reading").textContent = `${soil.name}: sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}, in ${shareUnit}`;
   draw();
   assess();
 }
@@ -165,8 +215,10 @@ function atlasTable(entries) {
   return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows)}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
 }
 
+const filterName = () => [soil.filter?.name, filterFields()["filter-sample"]].filter(Boolean).join(", ");
+
 function words(found) {
-  const { stable, unstable } = found.tally, counted = stable + unstable, i = found.seepage?.gradient;
+  const { stable, transition, unstable } = found.tally, counted = stable + transition + unstable, i = found.seepage?.gradient;
   const lines = [counted === 0 ? "No criterion can say of this curve alone." : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`];
   const moves = (found.atlas ?? []).filter((e) => e.inside && !e.wide_fines && e.flow === found.seepage?.flow && known(e.i1) !== undefined);
   if (moves.length && i > 0) {
@@ -176,7 +228,7 @@ function words(found) {
   }
   const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
   if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
-  if (found.filter) lines.push(`The filter ${soil.filter?.name ?? ""} ${found.filter.summary}.`, found.filter.simulated.summary);
+  if (found.filter) lines.push(`The filter ${filterName()} ${found.filter.summary}.`, found.filter.simulated.summary);
   return lines;
 }
 
@@ -186,27 +238,53 @@ function show(found, talk) {
   const parts = [table("Criteria", ["criterion", "number", "verdict"], found.criteria.map(row))];
   if (found.gradients?.length) parts.push(table("Seepage", ["criterion", "number", "verdict"], found.gradients.map(row)));
   parts.push(atlasTable(found.atlas));
-  if (found.filter) parts.push(table(`The filter ${escaped(soil.filter?.name ?? "")}`, ["rule", "number", "verdict"], found.filter.criteria.map(row)));
+  if (found.filter) parts.push(table(`The filter ${escaped(filterName())}`, ["rule", "number", "verdict"], found.filter.criteria.map(row)));
   const sizes = found.sizes;
-  parts.push(`<p class="cap">d10 ${mm(sizes.d10)}, d50 ${mm(sizes.d50)}, d60 ${mm(sizes.d60)} mm; Cu ${three(found.uniformity)}.</p>`);
+  parts.push(`<p class="cap">${["d10", "d50", "d60"].map((size) => `${size} ${sizes[size] === null ? "?" : mm(sizes[size])}`).join(", ")} mm; Cu ${found.uniformity === null ? "?" : three(found.uniformity)}.</p>`);
   $("soil-results").innerHTML = parts.join("");
   if (soil.curve.isEdited) $("remarks").innerHTML = list(talk.filter((line) => line.includes("W5")));
   draw();
 }
 
 const assess = afterChanges(40, async (signal) => {
-  if (!soil.curve) return;
+  const { curve } = soil;
+  if (!curve) return;
   try {
     const { result, talk } = await post("/api/assess", {
-      ...curveFields(), ...conditionFields(), ...seepageFields(), "relative-density": $("density").value, filter: soil.filter,
+      ...curveFields(), ...conditionFields(), ...seepageFields(), "relative-density": numberIn("density"), ...filterFields(),
     }, signal);
+    if (soil.curve !== curve) return; // of the soil before
     trouble();
     show(result.soils[0], talk);
   } catch (error) {
     if (error.name === "AbortError") throw error;
+    if (soil.curve !== curve) return;
+    forgetAnswer("No answer: see above.");
+    draw();
     trouble(error);
   }
 });
+
+/** The other soil, which is to hold this one. Null: none. */
+async function takeFilter(file) {
+  soil.filter = null;
+  $("no-filter").hidden = !file;
+  $("filter-sample-row").hidden = true;
+  $("filter-name").textContent = file ? "Reading …" : "";
+  try {
+    if (file) {
+      const blob = new Blob([await file.arrayBuffer()]), { result } = await post("/api/reading", { curve: { name: file.name, blob } });
+      soil.filter = { name: file.name, blob, samples: result.soils };
+      const { size, unit, share, kind } = result.soils[0].reading;
+      $("filter-name").textContent = `${file.name}: sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}`;
+      $("filter-sample").innerHTML = result.soils.map((s) => `<option value="${escaped(s.soil)}">${escaped(s.soil)}</option>`).join("");
+      $("filter-sample-row").hidden = result.soils.length < 2;
+    }
+  } catch (error) {
+    $("filter-name").textContent = `${file.name} cannot be read, so there is no filter: ${error.problems?.[0]?.message ?? error.message}`;
+  }
+  assess();
+}
 
 /** Redraws the curve with what a case would leave out. */
 export function showSizes(sizes) {
@@ -216,8 +294,8 @@ export function showSizes(sizes) {
 
 export function connectSoil() {
   const drop = $("drop");
-  const showGradient = () => { $("gradient-shown").textContent = Number($("gradient").value).toFixed(2); };
-  $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file.name, file); });
+  for (const id of ["file", "filter-file"]) $(id).addEventListener("click", () => { $(id).value = ""; }); // the same file may have changed
+  $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file); });
   document.addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
   document.addEventListener("dragleave", () => drop.classList.remove("over"));
   document.addEventListener("drop", (event) => {
@@ -226,12 +304,13 @@ export function connectSoil() {
     const file = event.dataTransfer.files[0];
     if (!file) return;
     location.hash = "#soil";
-    take(file.name, file);
+    take(file);
   });
   $("table").addEventListener("input", () => {
     soil.name = soil.blob && soil.name ? soil.name : "pasted.csv";
-    soil.blob = new Blob([$("table").value]);
-    offerColumns($("table").value);
+    soil.text = $("table").value;
+    soil.blob = new Blob([soil.text]);
+    offerColumns(soil.text);
     read();
   });
   for (const id of ["size-column", "size-unit", "amount-column", "amount-kind", "by", "sheet", "rows"]) $(id).addEventListener("change", () => soil.blob && read());
@@ -239,15 +318,12 @@ export function connectSoil() {
   $("sample").addEventListener("change", () => choose(Number($("sample").value)));
   $("back").addEventListener("click", () => choose(soil.which));
   $("print").addEventListener("click", () => window.print());
-  for (const id of ["gradient", "flow", "density", "alpha", "porosity", "grain-density", "fines"]) $(id).addEventListener("input", () => { showGradient(); assess(); });
-  $("filter-file").addEventListener("change", () => {
-    const file = $("filter-file").files[0];
-    soil.filter = file ? { name: file.name, blob: file } : null;
-    $("no-filter").hidden = !file;
-    assess();
-  });
-  $("no-filter").addEventListener("click", () => { $("filter-file").value = ""; soil.filter = null; $("no-filter").hidden = true; assess(); });
+  $("gradient").addEventListener("input", () => { $("gradient-number").value = $("gradient").value; });
+  $("gradient-number").addEventListener("input", () => { $("gradient").value = $("gradient-number").value.replace(",", ".") || "0"; });
+  for (const id of ["gradient", "gradient-number", "flow", "density", "alpha", "porosity", "grain-density", "fines"]) $(id).addEventListener("input", () => { showIgnored(); assess(); });
+  $("filter-file").addEventListener("change", () => { const file = $("filter-file").files[0]; if (file) takeFilter(file); });
+  $("filter-sample").addEventListener("change", assess);
+  $("no-filter").addEventListener("click", () => { $("filter-file").value = ""; takeFilter(null); });
   window.addEventListener("resize", () => soil.curve && draw());
   for (const form of document.forms) form.addEventListener("submit", (event) => event.preventDefault());
-  showGradient();
 }

@@ -10,6 +10,20 @@ export const secondsRange = ([least, most]) =>
 export const bytes = (b) => (b < 1e9 ? `${Math.max(1, Math.round(b / 1e6))} MB` : `${(b / 1e9).toPrecision(3)} GB`);
 export const list = (texts) => texts.map((text) => `<li>${escaped(text)}</li>`).join("");
 
+const nameOf = (input) => (input.getAttribute("aria-label") ?? input.labels[0].textContent).trim();
+
+/** The number in a field, as the program reads it: with a decimal point, "" where the field is empty. @throws what is wrong with it */
+export function numberIn(id) {
+  const input = $(id), typed = input.value.trim(), text = typed.replace(",", "."), number = Number(text);
+  if (!typed) return "";
+  const least = Number(input.getAttribute("min") ?? -Infinity), most = Number(input.getAttribute("max") ?? Infinity);
+  const range = Number.isFinite(most) ? `from ${least} to ${most}` : `at least ${least}`;
+  if (/^[1-9]\d{0,2},\d{3}$/.test(typed)) throw new Error(`${nameOf(input)}: ${typed} could be ${Number(text)} or ${typed.replace(",", "")}; write it without the comma.`);
+  if (!Number.isFinite(number)) throw new Error(`${nameOf(input)}: ${typed} is not a number.`);
+  if (number < least || number > most) throw new Error(`${nameOf(input)}: ${typed} is out of range; give a number ${range}.`);
+  return text;
+}
+
 /** Shows an error at the top of the page until the next success. */
 export function trouble(error) {
   $("trouble").hidden = !error;

@@ -1,0 +1,156 @@
+// The tab Soil in a browser: what is typed, pasted or dropped counts, or the page says why not; no answer outlives its soil.
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { StudioInBrowser, gap, nameless } from "./studio_in_browser.mjs";
+
+const studio = new StudioInBrowser(), open = (...words) => studio.open(...words);
+
+before(() => studio.begin());
+after(() => studio.end());
+
+const text = (page, id) => page.textContent(`#${id}`);
+const says = (page, id, words) => page.waitForFunction(([i, w]) => document.getElementById(i).textContent.includes(w), [id, words]);
+const give = (page, content, name = "gap.csv", input = "#file") => page.setInputFiles(input, { name, mimeType: "text/csv", buffer: Buffer.from(content) });
+
+/** Gives a soil and waits for what is said of it. */
+async function answered(page, content, name) {
+  await give(page, content, name);
+  await says(page, "verdict", "criteria say");
+}
+
+test("a curve that ends above its d10, with decimal commas, is judged: what is not known is a question mark", async () => {
+  const { page, context, complaints } = await open();
+  await answered(page, gap);
+  await page.locator("#table").fill("Sieb [mm];Durchgang [%]\n8;100\n4;78\n2;44,5\n1;21\n0,5;20,1\n0,25;17,5\n");
+  await says(page, "soil-results", "d10 ?, d50 2.24, d60 2.76 mm; Cu ?");
+  assert.match(await text(page, "verdict"), /5 of 5 criteria say unstable/);
+  assert.match(await text(page, "soil-results"), /depending on the 17.5 % below 0.25 mm/);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("what cannot be read has no answer, and no case", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  await page.locator("#table").fill("d [mm],passing [%]\n1,50\n2,oops\n");
+  await says(page, "trouble", '"oops" is not a number');
+  assert.equal(await text(page, "soil-results"), "");
+  assert.equal(await text(page, "verdict"), "This cannot be read as a grading.");
+  assert.equal(await page.isVisible("#curve"), false);
+  await page.evaluate(() => { location.hash = "#simulate"; });
+  await says(page, "conditions", "No soil is given yet.");
+  assert.equal(await page.inputValue("#case"), "");
+  await page.evaluate(() => { location.hash = "#soil"; });
+  await page.locator("#table").fill("");
+  await says(page, "verdict", "Drop a grading, or paste one.");
+  assert.equal(await page.isVisible("#trouble"), false);
+  await context.close();
+});
+
+test("numbers may have a decimal comma; what is no number, out of range or could be two is refused by the name of its field", async () => {
+  const { page, context, complaints } = await open();
+  await answered(page, gap);
+  await page.locator("#porosity").fill("0,35");
+  await says(page, "verdict", "Factor of safety 3.6 against heave");
+  for (const [id, typed, why] of [["porosity", "35", "Porosity, 0 to 1: 35 is out of range; give a number from 0.05 to 0.95."], ["fines", "much", "Fines are finer than [mm]: much is not a number."],
+    ["grain-density", "2,650", "Density of the grains [kg/m³]: 2,650 could be 2.65 or 2650; write it without the comma."]]) {
+    const kept = await page.inputValue(`#${id}`);
+    await page.locator(`#${id}`).fill(typed);
+    await says(page, "trouble", why);
+    assert.equal(await text(page, "soil-results"), "", id);
+    await page.locator(`#${id}`).fill(kept);
+    await says(page, "verdict", "criteria say");
+  }
+  await page.locator("#fines").fill("0,36");
+  await says(page, "curve", "below 0.36 mm");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("a gradient beyond the slider is typed; without a gradient the page says which fields count for nothing", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  await page.locator("#gradient-number").fill("1,98");
+  await says(page, "verdict", "Factor of safety 0.5 against heave"); // 0.99/1.98
+  assert.equal(await page.inputValue("#gradient"), "1.5");
+  await page.locator("#gradient").fill("0.9");
+  assert.equal(await page.inputValue("#gradient-number"), "0.9");
+  await page.locator("#alpha").fill("0.4");
+  await page.locator("#gradient-number").fill("0");
+  await says(page, "ignored", "Counts only with a gradient: α.");
+  await context.close();
+});
+
+test("a unit or a kind alone is that of the columns as they were found", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  await page.click("#correct summary");
+  await page.selectOption("#size-unit", "cm");
+  await says(page, "reading", "in cm");
+  await says(page, "curve-note", "Shaded: the gap, 4 to 9 mm.");
+  await page.selectOption("#amount-kind", "retained"); // which falls with the size: refused, not ignored
+  await says(page, "trouble", "percent passing falls throughout");
+  await page.click("#as-found");
+  await says(page, "curve-note", "Shaded: the gap, 0.4 to 0.9 mm.");
+  assert.equal(await page.inputValue("#amount-kind"), "");
+  await give(page, "sieve [mm],retained on sieve [g]\n4,0\n2,100\n1,100\n0.5,100\n0,20\n", "masses.csv");
+  await says(page, "reading", "masses.csv");
+  const before = await text(page, "reading");
+  await page.selectOption("#size-unit", "cm");
+  await says(page, "reading", "in cm");
+  assert.equal(await text(page, "reading"), before.replace("in mm", "in cm"));
+  await context.close();
+});
+
+test("the curve as given brings back the table as given, and a Windows-1252 sheet can be edited", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  await page.locator('#curve [data-point="4"]').focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction(() => document.getElementById("table").value.includes("0.9,22"));
+  await page.click("#back");
+  assert.equal(await page.inputValue("#table"), gap);
+  await give(page, Buffer.from("Korngr\xf6\xdfe [\xb5m];Durchgang [%]\n250;0\n500;20\n1000;21\n2000;100\n", "latin1"), "old.csv");
+  await says(page, "reading", "old.csv: sizes: Korngröße [µm], in um");
+  await page.locator("#table").fill((await page.inputValue("#table")).replace("250;0", "125;0"));
+  await says(page, "printed-points", "0.125 mm 0 %");
+  await context.close();
+});
+
+test("a file that changes on disk keeps its answer until it is chosen again", async () => {
+  const { page, context, complaints } = await open();
+  const file = join(studio.folder, "changing.csv"), browser = await context.newCDPSession(page); // Playwright itself sends copies
+  writeFileSync(file, gap);
+  const choose = async () => {
+    const { root } = await browser.send("DOM.getDocument"), { nodeId } = await browser.send("DOM.querySelector", { nodeId: root.nodeId, selector: "#file" });
+    await browser.send("DOM.setFileInputFiles", { nodeId, files: [file] });
+  };
+  await choose();
+  await says(page, "verdict", "Factor of safety 3.3 against heave");
+  writeFileSync(file, `${gap}2,100\n3,100\n`);
+  await page.locator("#gradient-number").fill("0.9");
+  await says(page, "verdict", "Factor of safety 1.1 against heave");
+  await page.evaluate(() => { document.getElementById("file").addEventListener("click", (event) => event.preventDefault()); document.getElementById("file").click(); }); // no dialog
+  await choose();
+  await page.waitForFunction(() => document.getElementById("table").value.endsWith("3,100\n"));
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
+test("one soil of a filter's sheet is chosen; a filter that cannot be read is named, and the soil keeps its answer", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  await give(page, "sample,d [mm],passing [%]\nA,0.5,0\nA,4,100\nB<i>,1,0\nB<i>,8,100\n", "filters.csv", "#filter-file");
+  await says(page, "verdict", "The filter filters.csv, A");
+  await page.selectOption("#filter-sample", "B<i>");
+  await says(page, "verdict", "The filter filters.csv, B<i>");
+  await says(page, "soil-results", "The filter filters.csv, B<i>");
+  assert.deepEqual(await nameless(page), []);
+  await give(page, "x", "bad.csv", "#filter-file");
+  await says(page, "filter-name", "bad.csv cannot be read, so there is no filter");
+  await page.waitForFunction(() => !document.getElementById("verdict").textContent.includes("filter"));
+  assert.equal(await page.isVisible("#filter-sample"), false);
+  await context.close();
+});
