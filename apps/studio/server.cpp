@@ -3,6 +3,8 @@
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/read_text.hpp"
 
+#include <fmt/format.h>
+
 #include "apps/studio/door.hpp"
 #include "apps/studio/routes.hpp"
 #include <array>
@@ -36,6 +38,14 @@ void answer_exception(httplib::Response& response, const std::exception_ptr& thr
         refuse(response, refusal.status, refusal.what());
     } catch (const Error& error) {
         refuse(response, 422, error.what());
+    } catch (const fs::filesystem_error& error) {
+        refuse(
+            response, 500,
+            fmt::format(
+                "{}: {}; if the folder was moved or removed, end the studio and start it again", error.path1().string(),
+                error.code().message()
+            )
+        );
     } catch (const std::exception& error) {
         refuse(response, 500, error.what());
     }

@@ -267,6 +267,14 @@ class Runs(InAFolder):
         self.assertEqual(names, ["again-0001", "again-0002"])
         self.assertIn('"one"', (self.runs / "cases" / "again-0001" / "case.toml").read_text())
 
+    def test_a_folder_that_is_gone_is_named_with_what_to_do(self):
+        studio = self.studio()
+        self.runs.rmdir()
+        answer = studio.get("/api/names")
+        self.assertEqual(answer.status, 500)
+        message = json.loads(answer.text)["error"]["message"]
+        self.assertEqual(message, f"{self.runs}: No such file or directory; if the folder was moved or removed, end the studio and start it again")
+
     def test_the_last_words_of_a_run_are_shown_and_none_behind_a_link(self):
         run = self.finished_run()
         studio = self.studio()
