@@ -1,7 +1,7 @@
 // A sweep and a further stage as they are written into the text of a case.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { keysOf, listToml, stageText, stagesOf, studiesOf, sweepLine, valuesOf, withStage, withSweep } from "../src/studio/case_text.js";
+import { filesByName, keysOf, listToml, stageText, stagesOf, studiesOf, sweepLine, valuesOf, withStage, withSweep } from "../src/studio/case_text.js";
 
 const text = `[contact]
 law      = "linear-rolling"
@@ -35,6 +35,7 @@ test("what can be swept is what the case has", () => {
 
 test("numbers stay numbers, and everything else is a string", () => {
   assert.deepEqual(valuesOf(" 20 deg, 1e3 ;true,,"), ["20 deg", "1e3", "true"]);
+  assert.deepEqual(valuesOf("0,2; 0,35 ;1"), ["0.2", "0.35", "1"]);
   assert.equal(sweepLine([{ key: "contact.friction", values: "20 deg, 30 deg" }, { key: "particles", values: "1_000, 2e3" }, { key: "", values: "1" }]),
     'sweep = { "contact.friction" = ["20 deg", "30 deg"], particles = [1_000, 2e3] }');
   assert.equal(sweepLine([{ key: "fines_content", values: " , " }]), "");
@@ -65,4 +66,9 @@ test("a further stage comes behind those of its study, before what follows them"
   const nested = text.replace('[study."other"]', '[study.main.stage.prepare]\nfriction = 1\n\n[study."other"]');
   assert.ok(withStage(nested, "main", stage).text.includes(`friction = 1\n\n${added}\n\n[study."other"]`));
   assert.throws(() => withStage(text, "other", stage), /has no stage/);
+});
+
+test("files of a case have the names that it has for them", () => {
+  const [dam, own, other] = ["dam.csv", "own.csv", "other.csv"].map((name) => ({ name }));
+  assert.deepEqual(filesByName('psd = "curves/dam.csv"\nrows = \'own.csv\'\ntitle = "my other.csv"\n', [dam, own, other]), { "curves/dam.csv": dam, "own.csv": own, "data/other.csv": other });
 });

@@ -1,5 +1,7 @@
 // The tab Simulate in a browser: the case is that of the form, or a note says that it is not.
 import assert from "node:assert/strict";
+import { readFileSync, readdirSync } from "node:fs";
+import { basename, join } from "node:path";
 import { after, before, test } from "node:test";
 import { StudioInBrowser, gap, nameless, priced } from "./studio_in_browser.mjs";
 
@@ -48,7 +50,7 @@ test("each field that the case does not have yet is noticed, and one that no cas
   await page.locator("#porosity").fill("0.35");
   await simulate(page);
   await caseSays(page, "100 kPa");
-  await says(page, "conditions", "The porosity given there count for the criteria alone");
+  await says(page, "conditions", "Only the criteria use what is given there for: porosity.");
   await page.locator("#pressure").fill("2,5");
   await says(page, "stale", "This case was written from gap");
   await page.click("#make");
@@ -95,5 +97,52 @@ test("a soil on one soil of its filter's sheet becomes a case", async () => {
   await caseSays(page, 'title  = "base on B"');
   await priced(page);
   assert.deepEqual(await nameless(page), []);
+  await context.close();
+});
+
+/** Drops files onto the page, as a file manager does. */
+const drop = (page, files, onto = "body") => page.evaluate(([all, place]) => {
+  const transfer = new DataTransfer();
+  for (const [name, text] of all) transfer.items.add(new File([text], name));
+  document.querySelector(place).dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
+}, [files, onto]);
+
+test("the user's case is opened with its data, checked, and started once however often the button is pressed", async () => {
+  studio.suffuse("new", "own", "--from", "replay");
+  const read = (name) => readFileSync(join(studio.folder, "own", name), "utf8"), text = read("case.toml");
+  const data = readdirSync(join(studio.folder, "own"), { recursive: true }).filter((name) => /\.\w+$/.test(name) && name !== "case.toml").map((name) => [basename(name), read(name)]);
+  const { page, context, complaints } = await open();
+  await drop(page, [["case.toml", text]]);
+  await says(page, "problems", data[0][0]); // which is missing
+  assert.equal(await page.isVisible("#simulate"), true);
+  await drop(page, data, "#case-drop");
+  await priced(page);
+  await page.locator("#name").fill("<b>own</b>");
+  await page.evaluate(() => { for (let k = 0; k < 3; ++k) document.getElementById("start").click(); });
+  await says(page, "start-note", "b-own-b-0001");
+  await page.waitForSelector("#live iframe");
+  assert.deepEqual(await page.evaluate(() => fetch("/api/names").then((answer) => answer.json()).then(({ result }) => result)), ["b-own-b-0001"]);
+  await drop(page, [["a.csv", gap], ["b.csv", gap]]);
+  await says(page, "trouble", "Drop one grading at a time.");
+  assert.deepEqual(complaints.filter((one) => !one.includes("422")), []);
+  await context.close();
+});
+
+test("a text that was typed is not lost by a reload without a question", async () => {
+  const { page, context } = await open("#simulate");
+  let questions = 0;
+  page.on("dialog", (dialog) => { ++questions; dialog.accept(); });
+  await page.selectOption("#from", "replay");
+  await page.click("#make");
+  await priced(page);
+  await page.reload();
+  assert.equal(questions, 0);
+  await page.selectOption("#from", "replay");
+  await page.click("#make");
+  await priced(page);
+  await page.locator("#case").press("Control+End");
+  await page.locator("#case").type("# mine");
+  await page.reload();
+  assert.equal(questions, 1);
   await context.close();
 });

@@ -95,7 +95,8 @@ async function readRecord(file) {
 async function take(files) {
   $("calibrate-reading").textContent = "Reading …";
   try {
-    for (const file of files) {
+    const copies = await Promise.all(files.map(async (file) => new File([await file.arrayBuffer()], file.name))); // browsers send no file that has changed
+    for (const file of copies) {
       const record = await readRecord(file), at = records.findIndex((one) => one.name === record.name);
       if (at < 0) records.push(record);
       else records[at] = record;
@@ -190,6 +191,7 @@ export function connectCalibration(caseEditor) {
   editor = caseEditor;
   offerLaw();
   $("calibration").addEventListener("toggle", () => $("calibration").open && learnKeys()); // they are needed only then
+  $("calibrate-files").addEventListener("click", () => { $("calibrate-files").value = ""; }); // the same files may have changed
   $("calibrate-files").addEventListener("change", () => take([...$("calibrate-files").files]));
   $("calibrate-drop").addEventListener("drop", (event) => {
     event.preventDefault();

@@ -11,9 +11,15 @@ export class CaseEditor {
     this.changed = changed;
     this.files = {}; // what the case names
     this.origin = null; // what the text was written from
+    this.plan = null; // of the text; none while it has errors
+    this.isTyped = false; // and would be lost with the page
     this.price = afterChanges(600, (signal) => this.check(signal));
     this.at("preset").addEventListener("change", this.price);
-    this.at("case").addEventListener("input", () => this.set(this.text));
+    this.at("case").addEventListener("input", () => {
+      this.isTyped = true;
+      this.set(this.text);
+    });
+    window.addEventListener("beforeunload", (event) => this.isTyped && event.preventDefault());
     this.at("problems").addEventListener("click", (event) => event.target.dataset.line && this.goToLine(Number(event.target.dataset.line)));
   }
 
@@ -34,6 +40,7 @@ export class CaseEditor {
   take(text, files, name, origin = null) {
     this.files = files;
     this.origin = origin;
+    this.isTyped = false;
     this.at("name").value = name;
     this.set(text);
   }
@@ -70,9 +77,10 @@ export class CaseEditor {
   }
 
   showPlan(plan, talk) {
+    this.plan = plan;
     this.at("price").textContent = plan ? secondsRange(plan.seconds) : "–";
     this.at("price-more").textContent = plan ? `${planFacts(plan)}. Measured on this machine.` : "";
-    this.at("start").disabled = !plan;
+    if (!this.isStarting) this.at("start").disabled = !plan;
     this.at("stages").innerHTML = plan ? this.planned(plan) : `<p class="cap">${escaped((talk ?? []).join(" "))}</p>`;
   }
 
@@ -114,8 +122,12 @@ export class CaseEditor {
   async start(tab, more = {}) {
     const note = this.at("start-note");
     note.textContent = "Starting …";
+    this.isStarting = true; // a price that comes meanwhile starts no second run
     const answer = await this.request("/api/start", more, this.at("start"));
-    note.innerHTML = answer ? `Started: <a href="#${tab}/${encodeURIComponent(answer.run)}">${escaped(answer.run)}</a>. It goes on if this page is closed.` : "";
+    this.isStarting = false;
+    this.at("start").disabled = !this.plan;
+    if (answer) this.isTyped = false;
+    note.innerHTML = answer ? `Started: <a href="#${tab}/${encodeURIComponent(answer.run)}">${escaped(answer.run)}</a>. It goes on if this page is closed.` : escaped($("trouble").textContent.split("\n")[0]); // the top of the page is out of sight here
     return answer?.run;
   }
 }

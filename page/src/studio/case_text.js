@@ -54,8 +54,17 @@ function entryLength(lines) {
 /** A value as TOML has it: numbers stay numbers, everything else is a string. */
 export const asToml = (value) => (/^([+-]?\d[\d_]*(\.\d+)?([eE][+-]?\d+)?|true|false)$/.test(value) ? value : JSON.stringify(value));
 
-/** "20 deg, 35 deg" -> ["20 deg", "35 deg"] */
-export const valuesOf = (text) => text.split(/[,;]/).map((value) => value.trim()).filter(Boolean);
+/** "20 deg, 35 deg" -> ["20 deg", "35 deg"]. Between semicolons a comma is a decimal one: "0,2; 0,35" -> ["0.2", "0.35"] */
+export function valuesOf(text) {
+  const hasCommas = text.includes(";") && /\d,\d/.test(text), parts = hasCommas ? text.split(";").map((part) => part.replace(/(\d),(\d)/, "$1.$2")) : text.split(/[,;]/);
+  return parts.map((value) => value.trim()).filter(Boolean);
+}
+
+/** Files by the names that a case has for them: "dam.csv" -> "data/dam.csv". What it does not name is put into data/. */
+export function filesByName(text, files) {
+  const named = [...text.matchAll(/"([^"\n]+)"|'([^'\n]+)'/g)].map((m) => m[1] ?? m[2]);
+  return Object.fromEntries(files.map((file) => [named.find((name) => name === file.name || name.endsWith(`/${file.name}`)) ?? `data/${file.name}`, file]));
+}
 
 /** "400 kPa, 100 kPa" -> '["400 kPa", "100 kPa"]' */
 export const listToml = (text) => `[${valuesOf(text).map(asToml).join(", ")}]`;

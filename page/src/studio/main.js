@@ -1,7 +1,7 @@
 // The page of `suffuse studio`: four tabs, named in the address after #.
 import { $, trouble } from "./words.js";
-import { connectSoil } from "./soil.js";
-import { connectSimulate, openSimulate } from "./simulate.js";
+import { connectSoil, takeSoil } from "./soil.js";
+import { connectSimulate, openCase, openSimulate } from "./simulate.js";
 import { connectRuns, openRuns } from "./runs.js";
 import { connectSweep, openSweep } from "./sweep.js";
 
@@ -31,6 +31,25 @@ function open() {
   if (tab === "sweep") openSweep(name);
 }
 
+/** What is dropped anywhere: a case with its data, or a grading. */
+function takeDropped(files) {
+  const isCase = files.some((file) => file.name.endsWith(".toml"));
+  if (!isCase && files.length > 1) {
+    trouble(new Error("Drop one grading at a time. Its filter has a field of its own."));
+    return;
+  }
+  location.hash = isCase ? "#simulate" : "#soil";
+  if (isCase) openCase(files);
+  else takeSoil(files[0]);
+}
+
+document.addEventListener("dragover", (event) => { event.preventDefault(); $("drop").classList.add("over"); });
+document.addEventListener("dragleave", () => $("drop").classList.remove("over"));
+document.addEventListener("drop", (event) => {
+  event.preventDefault();
+  $("drop").classList.remove("over");
+  if (event.dataTransfer.files.length) takeDropped([...event.dataTransfer.files]);
+});
 connectSoil();
 connectSimulate();
 connectRuns();

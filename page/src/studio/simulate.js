@@ -5,6 +5,7 @@ import { CaseEditor } from "./case_editor.js";
 import { RunView } from "./run_view.js";
 import { calibrationLimits, connectCalibration } from "./calibrate_form.js";
 import { calibrates } from "./calibrate_text.js";
+import { filesByName } from "./case_text.js";
 import { connectTests, offerTests } from "./test_form.js";
 import { conditionFields, curveFields, filterFields, showSizes, soil, withUnit } from "./soil.js";
 
@@ -62,7 +63,7 @@ const isOwnText = () => editor.text !== (editor.origin?.text ?? "");
 function adviceOn(error) {
   if ($("from").value || !soil.curve || $("way").value || !error.status) return [];
   const [, from, to] = error.message.match(/--sizes ([\d.]+)mm,([\d.]+)mm/) ?? [];
-  if (!from) return ["A soil that is too wide to simulate whole can be modeled in part, or by a surrogate: choose under Model it."];
+  if (!from) return error.message.includes("--surrogate") ? ["This soil is too wide to simulate whole. Choose under Model it: a surrogate of two fractions."] : [];
   $("size-from").value = from;
   $("size-to").value = to;
   return [`This soil is too wide to simulate whole. Choose under Model it: a part of it, from ${from} to ${to} mm, or a surrogate.`];
@@ -87,6 +88,25 @@ async function make(overwrites) {
   }
 }
 
+/** The user's case with its data; data alone are those of the case that is here. */
+export async function openCase(files) {
+  try {
+    const copies = await Promise.all(files.map(async (file) => ({ name: file.name, blob: new Blob([await file.arrayBuffer()]) })));
+    const [own, ...others] = copies.filter((file) => file.name.endsWith(".toml")), data = copies.filter((file) => !file.name.endsWith(".toml"));
+    if (others.length) throw new Error("Open one case at a time.");
+    if (!own && !editor.text) throw new Error("Open the case, a file such as case.toml, and its data with it.");
+    const text = own ? await own.blob.text() : editor.text, named = Object.entries(filesByName(text, data)).map(([name, file]) => [name, file.blob]);
+    const name = own ? own.name.replace(/\.toml$/, "") : $("name").value;
+    editor.take(text, { ...(own ? {} : editor.files), ...Object.fromEntries(named) }, name);
+    trouble();
+    $("made").innerHTML = list([`Opened: ${copies.map((file) => file.name).join(", ")}`]);
+  } catch (error) {
+    trouble(error);
+    $("made").innerHTML = list([error.message]);
+  }
+  showStale();
+}
+
 async function start() {
   const run = await editor.start("runs", calibrates(editor.text) ? calibrationLimits() : {});
   if (!run) return;
@@ -97,7 +117,7 @@ async function start() {
 function showConditions() {
   try {
     const { gradient, flow } = conditionFields(), apart = [["density", "density"], ["porosity", "porosity"], ["grain-density", "density of the grains"], ["alpha", "α"]].filter(([id]) => $(id).value.trim());
-    const more = apart.length ? ` The ${apart.map(([, name]) => name).join(", ")} given there count for the criteria alone; the case has its own.` : "";
+    const more = apart.length ? ` Only the criteria use what is given there for: ${apart.map(([, name]) => name).join(", ")}.` : "";
     $("conditions").textContent = soil.curve
       ? `${soil.curve.name}${soil.curve.isEdited ? " (edited)" : ""}; ${gradient ? `i = ${gradient}, flow ${flow}` : "no gradient given"}. Change these in the tab Soil.${more}` : "No soil is given yet.";
   } catch (error) {
@@ -133,4 +153,11 @@ export function connectSimulate() {
   for (const id of ["from", "way", "size-from", "size-to", "particles", "pressure"]) $(id).addEventListener("input", showWay);
   $("make").addEventListener("click", () => make(true));
   $("start").addEventListener("click", start);
+  $("case-files").addEventListener("click", () => { $("case-files").value = ""; }); // the same file may have changed
+  $("case-files").addEventListener("change", () => openCase([...$("case-files").files]));
+  $("case-drop").addEventListener("drop", (event) => {
+    event.preventDefault();
+    event.stopPropagation(); // the page takes what is dropped elsewhere as a grading
+    if (event.dataTransfer.files.length) openCase([...event.dataTransfer.files]);
+  });
 }

@@ -95,7 +95,7 @@ function textOf(bytes) {
 }
 
 /** A file that was dropped or chosen. Its bytes are read at once: browsers send no file that has changed since. */
-async function take(file) {
+export async function takeSoil(file) {
   try {
     const bytes = await file.arrayBuffer();
     Object.assign(soil, { name: file.name, blob: new Blob([bytes]), text: textOf(bytes), samples: [], which: 0 });
@@ -293,19 +293,8 @@ export function showSizes(sizes) {
 }
 
 export function connectSoil() {
-  const drop = $("drop");
   for (const id of ["file", "filter-file"]) $(id).addEventListener("click", () => { $(id).value = ""; }); // the same file may have changed
-  $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) take(file); });
-  document.addEventListener("dragover", (event) => { event.preventDefault(); drop.classList.add("over"); });
-  document.addEventListener("dragleave", () => drop.classList.remove("over"));
-  document.addEventListener("drop", (event) => {
-    event.preventDefault();
-    drop.classList.remove("over");
-    const file = event.dataTransfer.files[0];
-    if (!file) return;
-    location.hash = "#soil";
-    take(file);
-  });
+  $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) takeSoil(file); });
   $("table").addEventListener("input", () => {
     soil.name = soil.blob && soil.name ? soil.name : "pasted.csv";
     soil.text = $("table").value;

@@ -37,7 +37,8 @@ async function takeCase() {
     const { text, files, name } = example ? await post("/api/new", { from: example }).then(({ result }) => ({ text: result.case, files: result.files, name: example })) : caseNow();
     if (!text.trim()) throw new Error("The tab Simulate has no case yet. Write one there, or start from an example.");
     trouble();
-    editor.take(text, files, `${name}-sweep`);
+    editor.take(text, files, `${name}-sweep`, { text, isOfSimulate: !example });
+    $("sweep-written").textContent = "";
   } catch (error) {
     trouble(error);
   }
@@ -160,7 +161,9 @@ function choose(name) {
 /** Opens the tab, and a sweep where one is named. */
 export async function openSweep(name) {
   choose(name);
-  if (!editor.text && caseNow().text.trim()) takeCase();
+  const { text } = caseNow(), isOlder = editor.origin?.isOfSimulate && editor.origin.text !== text;
+  if (text.trim() && (!editor.text || (isOlder && editor.text === editor.origin.text))) takeCase();
+  else if (isOlder) $("sweep-written").textContent = "The case of the tab Simulate has changed since this one was taken.";
   await loadNames();
 }
 
