@@ -27,6 +27,29 @@ async function fill(page) {
   await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .sought").length === 5);
 }
 
+test("a record whose signs are open is read once they are chosen, and what was chosen of the others stays", async () => {
+  const { page, context, complaints } = await open("#simulate");
+  await page.click("text=Calibrate a sand");
+  const give = (name, text) => page.setInputFiles("#calibrate-files", { name, mimeType: "text/csv", buffer: Buffer.from(text) });
+  await give("drained.csv", drained);
+  await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .sought").length === 4);
+  const [one, two] = await Promise.all(["T1", "T2"].map((name) => idOf(page, name)));
+  for (const id of [one, two]) await page.selectOption(`#target-role-${id}`, "fit");
+  await page.locator(`#target-pressure-${two}`).fill("410 kPa");
+  await give("open.csv", "axial strain [%],deviator stress [kPa],cell pressure [kPa],volumetric strain [%]\n0,0,100,0\n1,100,100,0.1\n5,200,100,-0.5\n10,210,100,-2\n");
+  await page.waitForFunction(() => document.getElementById("calibrate-reading").textContent.includes("Not read: open.csv. Choose what they are"));
+  const kept = () => Promise.all([page.inputValue(`#target-role-${one}`), page.inputValue(`#target-pressure-${two}`), page.inputValue(`#target-like-${two}`)]);
+  assert.deepEqual(await kept(), ["fit", "410 kPa", one]);
+  await page.selectOption("#calibrate-contraction", "positive");
+  await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .sought").length === 5 && document.getElementById("calibrate-reading").textContent === "");
+  assert.deepEqual(await kept(), ["fit", "410 kPa", one]);
+  await page.click('#calibrate-records [data-drop="0"]');
+  await page.waitForFunction(() => document.querySelectorAll("#calibrate-tests .sought").length === 1);
+  assert.equal(await page.locator("#calibrate-tests select").first().inputValue(), "", "of another test than the one at its place before");
+  assert.deepEqual(complaints.filter((text) => !text.includes("422")), []);
+  await context.close();
+});
+
 test("records are read and shown as understood, and become a case that is priced", async () => {
   const { page, context, complaints } = await open();
   await fill(page);

@@ -10,6 +10,8 @@ const laws = {
 };
 const sought = (law) => [["contact.modulus", ...laws[law].modulus, true], ["contact.friction", "18 deg", "45 deg", false], ["contact.rolling_friction", "0.02", "0.6", false], ["void_ratio", "0.55", "0.8", false]];
 let editor, records = []; // { name, file, kind, contraction, found }
+let drawn = []; // the rows of the tests: { id, key }
+const unread = new Map(); // files by their names, until the form says how to read them
 
 const isUndrained = (record) => record.found.columns.some((column) => column.role === "pore_pressure");
 const allTests = () => records.flatMap((record, r) => record.found.tests.map((test, t) => ({ record, test, id: `${r}-${t}` })));
@@ -69,10 +71,18 @@ function choose(id) {
   redrawSharers(id);
 }
 
+/** What the form says of each test, by the test: the numbers of the rows change with the records. */
+const choices = () => new Map(drawn.map(({ id, key }) => [key, { ...rowOf(id), like: drawn.find((one) => one.id === rowOf(id).like)?.key }]));
+
 function drawRecords() {
+  const kept = choices(), tests = allTests();
+  drawn = tests.map(({ record, test, id }) => ({ id, key: JSON.stringify([record.name, test.name]) }));
   $("calibrate-records").innerHTML = records.map(understood).join("");
-  $("calibrate-tests").innerHTML = allTests().map(({ test, id }) => `<div class="sought"><label class="in">${escaped(test.name)}${Number.isFinite(test.first.void_ratio) ? `, e ${three(test.first.void_ratio)}` : ""}${startPressure(test.first) ? `, ${startPressure(test.first)}` : ""} <select id="target-role-${id}"><option value="">is left out</option><option value="fit">is fitted</option><option value="held">is held out, and predicted</option></select></label><div id="target-more-${id}"></div></div>`).join("");
-  for (const { id } of allTests()) $(`target-role-${id}`).addEventListener("change", () => choose(id));
+  $("calibrate-tests").innerHTML = tests.map(({ test, id }) => `<div class="sought"><label class="in">${escaped(test.name)}${Number.isFinite(test.first.void_ratio) ? `, e ${three(test.first.void_ratio)}` : ""}${startPressure(test.first) ? `, ${startPressure(test.first)}` : ""} <select id="target-role-${id}"><option value="">is left out</option><option value="fit">is fitted</option><option value="held">is held out, and predicted</option></select></label><div id="target-more-${id}"></div></div>`).join("");
+  const again = drawn.map(({ id, key }) => ({ id, ...kept.get(key) })).filter((row) => row.role);
+  for (const { id, role } of again) $(`target-role-${id}`).value = role;
+  for (const row of again.sort((a, b) => Boolean(a.like) - Boolean(b.like))) drawChosen(row.id, { ...row, like: drawn.find(({ key }) => key === row.like)?.id });
+  for (const { id } of drawn) $(`target-role-${id}`).addEventListener("change", () => choose(id));
   $("calibrate-write").disabled = !records.length;
 }
 
@@ -94,18 +104,21 @@ async function readRecord(file) {
 
 async function take(files) {
   $("calibrate-reading").textContent = "Reading …";
-  try {
-    const copies = await Promise.all(files.map(async (file) => new File([await file.arrayBuffer()], file.name))); // browsers send no file that has changed
-    for (const file of copies) {
+  const failures = [];
+  for (const given of files) {
+    try {
+      const file = new File([await given.arrayBuffer()], given.name); // browsers send no file that has changed since
+      unread.set(file.name, file);
       const record = await readRecord(file), at = records.findIndex((one) => one.name === record.name);
       if (at < 0) records.push(record);
       else records[at] = record;
+      unread.delete(file.name);
+    } catch (error) {
+      failures.push(error);
     }
-    trouble();
-  } catch (error) {
-    trouble(error);
   }
-  $("calibrate-reading").textContent = "";
+  trouble(failures[0]);
+  $("calibrate-reading").textContent = unread.size ? `Not read: ${[...unread.keys()].join(", ")}. Choose what they are, or whether contraction is positive in them.` : "";
   drawRecords();
 }
 
@@ -199,7 +212,7 @@ export function connectCalibration(caseEditor) {
     $("drop").classList.remove("over");
     if (event.dataTransfer.files.length) take([...event.dataTransfer.files]);
   });
-  for (const id of ["calibrate-kind", "calibrate-contraction"]) $(id).addEventListener("change", () => records.length && take(records.map((record) => record.file)));
+  for (const id of ["calibrate-kind", "calibrate-contraction"]) $(id).addEventListener("change", () => take([...records.map((record) => record.file), ...unread.values()]));
   $("calibrate-records").addEventListener("click", (event) => {
     if (event.target.dataset.drop === undefined) return;
     records.splice(Number(event.target.dataset.drop), 1);
