@@ -1,6 +1,6 @@
 // The tab Runs in a browser: runs that failed, that are gone, and that others change.
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { StudioInBrowser } from "./studio_in_browser.mjs";
@@ -62,12 +62,15 @@ test("after a comparison or a deletion the address names no run, so that each li
   await page.click("#run-table >> text=replay-0001");
   await says(page, "run", "Ended: done");
   page.on("dialog", (dialog) => dialog.accept());
-  const kept = join(studio.folder, "kept");
-  renameSync(join(studio.folder, "runs", "replay-0002"), kept); // by another program
   await page.click("text=Delete …");
   await says(page, "run", "Choose a run.");
   assert.equal(await page.evaluate(() => location.hash), "#runs");
-  await says(page, "count", "0 runs");
-  rmSync(kept, { recursive: true });
+  await says(page, "count", "1 run");
+  await page.click("#run-table >> text=replay-0002");
+  await says(page, "run", "Ended: done");
+  rmSync(join(studio.folder, "runs", "replay-0002"), { recursive: true }); // by another program
+  await page.click("text=Delete …");
+  await says(page, "run", "There is no run replay-0002 in this folder (any more).");
+  await says(page, "trouble", "there is no such file in the studio's folder");
   await context.close();
 });

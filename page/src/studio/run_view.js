@@ -57,7 +57,8 @@ export class RunView {
   }
 
   async poll() {
-    const name = this.name;
+    clearTimeout(this.timer);
+    const { name } = this;
     if (!name) return;
     try {
       const run = await get(runPath(name));
@@ -201,6 +202,7 @@ export class RunView {
       }
     } catch (error) {
       trouble(error);
+      if (this.name === name && error.status) await this.poll(); // another tab or program has changed it
     }
     if (what !== "stop") button.disabled = false; // a run that saves itself takes its time
   }
