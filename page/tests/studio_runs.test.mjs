@@ -42,6 +42,18 @@ test("a run that an error or the time limit ended can be resumed, and shows what
   await context.close();
 });
 
+test("a run has the time of the reader's clock, and its printed report is a link", async () => {
+  const { finished } = JSON.parse(studio.suffuse("runs", "runs", "--json")).runs.find((run) => run.name === "replay-0001");
+  const { page, context, complaints } = await open("#runs/replay-0001", { timezoneId: "Asia/Tokyo" }); // 9 h ahead, all year
+  const there = new Date(Date.parse(finished) + 9 * 3600e3).toISOString().slice(0, 16).replace("T", " ");
+  await page.waitForFunction((time) => [...document.querySelectorAll("#run-table tr")].some((row) => row.textContent.includes("replay-0001") && row.textContent.includes(time)), there);
+  await page.click("text=PDF of the report");
+  await says(page, "run", "Printed: report.pdf");
+  assert.equal(await page.getAttribute("#run .printed a", "href"), "/runs/replay-0001/report.pdf");
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("a run that is gone is said to be gone, and any address opens the page", async () => {
   const { page, context, complaints } = await open("#runs/no%20such<i>");
   await says(page, "run", "There is no run no such<i> in this folder (any more).");

@@ -36,6 +36,7 @@ test("what cannot be read has no answer, and no case", async () => {
   await answered(page, gap);
   await page.locator("#table").fill("d [mm],passing [%]\n1,50\n2,oops\n");
   await says(page, "trouble", '"oops" is not a number');
+  assert.match(await text(page, "trouble"), /--> gap.csv:3:3/);
   assert.equal(await text(page, "soil-results"), "");
   assert.equal(await text(page, "verdict"), "This cannot be read as a grading.");
   assert.equal(await page.isVisible("#curve"), false);
@@ -45,6 +46,13 @@ test("what cannot be read has no answer, and no case", async () => {
   await page.evaluate(() => { location.hash = "#soil"; });
   await page.locator("#table").fill("");
   await says(page, "verdict", "Drop a grading, or paste one.");
+  await page.locator("#table").evaluate((table, given) => { // pasted over all that is there, it is another soil
+    table.select();
+    table.dispatchEvent(new ClipboardEvent("paste", { bubbles: true }));
+    table.value = given;
+    table.dispatchEvent(new InputEvent("input", { bubbles: true }));
+  }, gap);
+  await says(page, "reading", "pasted.csv: sizes");
   assert.equal(await page.isVisible("#trouble"), false);
   await context.close();
 });

@@ -43,7 +43,7 @@ export class RunView {
     this.answered = null; // when that was written
     this.isReportShown = false;
     this.hasWorked = false;
-    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
+    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p><p class="cap printed" role="status"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
     this.grains?.close();
     this.grains = new GrainsView(this.find(".grains"), name);
     return this.poll();
@@ -189,10 +189,12 @@ export class RunView {
     }
     if (what === "delete" && !window.confirm(`Delete the run ${name} with all its results? This cannot be undone. Its case stays in cases/${name}.`)) return;
     button.disabled = true;
+    const printed = this.find(".printed");
+    printed.textContent = what === "pdf" ? "Printing …" : "";
     try {
       await post(`${runPath(name)}/${what}`);
       trouble();
-      if (what === "pdf") window.open(`${report}.pdf`, "_blank", "noopener");
+      if (what === "pdf") printed.innerHTML = `Printed: <a href="${report}.pdf" target="_blank" rel="noopener">report.pdf</a>`; // browsers block a window that opens by itself so late
       if (what === "delete") {
         this.close();
         this.changed();
@@ -202,6 +204,7 @@ export class RunView {
       }
     } catch (error) {
       trouble(error);
+      printed.textContent = "";
       if (this.name === name && error.status) await this.poll(); // another tab or program has changed it
     }
     if (what !== "stop") button.disabled = false; // a run that saves itself takes its time

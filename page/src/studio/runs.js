@@ -11,11 +11,14 @@ const matches = (run, words) => {
   return words.every((word) => text.includes(word));
 };
 
+/** "2026-11-30 12:05" where the reader is; runs have the time of Greenwich. */
+const localTime = (text) => new Date(text).toLocaleString("sv").slice(0, 16);
+
 function draw() {
   const words = $("search").value.toLowerCase().split(/\s+/).filter(Boolean), shown = runs.filter((run) => matches(run, words));
   $("count").textContent = shown.length === runs.length ? `${runs.length} ${runs.length === 1 ? "run" : "runs"}` : `${shown.length} of ${runs.length} runs`;
   $("run-table").tBodies[0].innerHTML = shown.map((run) =>
-    `<tr${run.name === current ? ' aria-current="true"' : ""}><td><input type="checkbox" data-run="${escaped(run.name)}" aria-label="compare ${escaped(run.name)}"${chosen.has(run.name) ? " checked" : ""}></td><td><a href="#runs/${encodeURIComponent(run.name)}">${escaped(run.name)}</a><small>${escaped(run.title)}</small><small>${escaped(run.verdict[0] ?? "")}</small></td><td>${escaped(run.state)}<small>${run.finished ? `${escaped(run.finished.slice(0, 16).replace("T", " "))}` : ""}${run.wall_seconds ? `, ${seconds(run.wall_seconds)}` : ""}</small></td></tr>`).join("");
+    `<tr${run.name === current ? ' aria-current="true"' : ""}><td><input type="checkbox" data-run="${escaped(run.name)}" aria-label="compare ${escaped(run.name)}"${chosen.has(run.name) ? " checked" : ""}></td><td><a href="#runs/${encodeURIComponent(run.name)}">${escaped(run.name)}</a><small>${escaped(run.title)}</small><small>${escaped(run.verdict[0] ?? "")}</small></td><td>${escaped(run.state)}<small>${run.finished ? `${escaped(localTime(run.finished))}` : ""}${run.wall_seconds ? `, ${seconds(run.wall_seconds)}` : ""}</small></td></tr>`).join("");
   $("compare").disabled = chosen.size !== 2;
 }
 

@@ -1,11 +1,14 @@
 // What the page requests of its server: forms in, JSON out.
 
-/** An answer that is an error: what the program reply, and the problems with their lines. */
+/** Without the folders in which the server keeps what was dropped: "curve/dam.csv:3" -> "dam.csv:3". */
+const plain = (text) => text.replace(/(^|[\s`])(?:curve|filter|record)\/(?=[\w.-])/g, "$1");
+
+/** An answer that is an error: what the program replied, and the problems with their lines. */
 export class Refused extends Error {
   constructor(status, error, talk) {
-    super(error?.message ?? "the studio does not answer");
+    super(plain(error?.message ?? "the studio does not answer"));
     this.status = status;
-    this.problems = error?.problems ?? [];
+    this.problems = (error?.problems ?? []).map((problem) => ({ ...problem, message: plain(problem.message) }));
     this.talk = talk ?? [];
   }
 }
@@ -19,8 +22,9 @@ async function answerOf(request) {
     if (error.name === "AbortError") throw error;
     throw new Refused(0, { message: "The studio does not answer. Was it ended? Start suffuse studio again; runs go on without it." });
   }
-  if (!response.ok) throw new Refused(response.status, reply.error, reply.talk);
-  return reply;
+  const talk = reply.talk?.map(plain);
+  if (!response.ok) throw new Refused(response.status, reply.error, talk);
+  return { ...reply, talk };
 }
 
 export const get = (path) => answerOf(fetch(path));

@@ -295,8 +295,11 @@ export function showSizes(sizes) {
 export function connectSoil() {
   for (const id of ["file", "filter-file"]) $(id).addEventListener("click", () => { $(id).value = ""; }); // the same file may have changed
   $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) takeSoil(file); });
+  $("table").addEventListener("paste", ({ target: { selectionStart, selectionEnd, value } }) => {
+    if (selectionStart === 0 && selectionEnd === value.length) soil.name = ""; // another soil, not that file edited
+  });
   $("table").addEventListener("input", () => {
-    soil.name = soil.blob && soil.name ? soil.name : "pasted.csv";
+    soil.name ||= "pasted.csv";
     soil.text = $("table").value;
     soil.blob = new Blob([soil.text]);
     offerColumns(soil.text);
