@@ -6,6 +6,7 @@
 
 #include "apps/exit_code.hpp"
 #include "apps/json_text.hpp"
+#include "apps/own_soil.hpp"
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -21,6 +22,7 @@ struct Complaint {
     std::string kind, message;
     bool rendered = false; ///< with its source line already
     nlohmann::json problems = nlohmann::json::array();
+    nlohmann::json instead = {}; ///< what can be simulated in place of it, where the error says so
 };
 
 Complaint complaint_about(const CaseProblems& error, bool color) {
@@ -39,6 +41,13 @@ Complaint current_complaint(bool color) {
         return {WrongUse, "usage", error.what()};
     } catch (const CaseProblems& error) {
         return complaint_about(error, color);
+    } catch (const TooWide& error) {
+        Complaint complaint{BadCase, "case", error.what()};
+        complaint.instead = {{"sizes", nullptr}, {"surrogate", error.has_surrogate}};
+        if (error.sizes) {
+            complaint.instead["sizes"] = {error.sizes->first, error.sizes->second};
+        }
+        return complaint;
     } catch (const CaseError& error) {
         return {BadCase, "case", error.what()};
     } catch (const IoError& error) {
@@ -77,13 +86,15 @@ std::string harmless(std::string message) {
 
 int print(const Complaint& complaint, const Console& console) {
     console.error(complaint.rendered ? complaint.message : harmless(complaint.message), complaint.rendered);
-    console.document(json_text(
-        {{"error",
-          {{"kind", complaint.kind},
-           {"exit_code", complaint.code},
-           {"message", readable(complaint.message)},
-           {"problems", complaint.problems}}}}
-    ));
+    nlohmann::json document{
+        {"kind", complaint.kind},
+        {"exit_code", complaint.code},
+        {"message", readable(complaint.message)},
+        {"problems", complaint.problems}};
+    if (!complaint.instead.is_null()) {
+        document["instead"] = complaint.instead;
+    }
+    console.document(json_text({{"error", document}}));
     return complaint.code;
 }
 

@@ -136,8 +136,9 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
                                     spec.words
                                 )
                               : "";
+    const bool has_surrogate = is_surrogate_in_reach(soil.measured, spec.finer_than, static_cast<double>(most));
     const std::string stand_in =
-        is_surrogate_in_reach(soil.measured, spec.finer_than, static_cast<double>(most))
+        has_surrogate
             ? fmt::format(
                   "\n  = help: or simulate a surrogate, two fractions with this soil's size ratio and fines content: "
                   "suffuse new --psd {}{} --surrogate",
@@ -150,20 +151,29 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
         static_cast<double>(most)
     );
     if (!part) {
-        throw CaseError(fmt::format(
-            "{}{}\n  = cutting its ends does not help: the fines are too small compared with the coarse grains\n  = to "
-            "apply the stability criteria: suffuse assess {}{}",
-            found, described, spec.words, stand_in
-        ));
+        throw TooWide(
+            fmt::format(
+                "{}{}\n  = cutting its ends does not help: the fines are too small compared with the coarse grains\n  "
+                "= to "
+                "apply the stability criteria: suffuse assess {}{}",
+                found, described, spec.words, stand_in
+            ),
+            std::nullopt, has_surrogate
+        );
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
-    throw CaseError(fmt::format(
-        "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines and "
-        "{:.0f} % of the coarse grains{}{}",
-        found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
-        turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned, stand_in
-    ));
+    throw TooWide(
+        fmt::format(
+            "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines "
+            "and "
+            "{:.0f} % of the coarse grains{}{}",
+            found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+            turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned,
+            stand_in
+        ),
+        SizeRange(part->finest, part->coarsest), has_surrogate
+    );
 }
 
 } // namespace

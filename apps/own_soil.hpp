@@ -2,6 +2,7 @@
 // A soil of the user's as a case can model it: from a measured grading curve to a closed one, with the size below which
 // its grains are fine and the number of grains that stand for it. What was decided on the way is kept as sentences.
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/grains/soil.hpp"
 #include "suffuse/stability/flow_way.hpp"
 
@@ -31,6 +32,15 @@ struct OwnSoil {
 /// Sizes [m] between which a curve is modeled.
 using SizeRange = std::pair<double, double>;
 
+/// A soil whose sizes are too far apart for one sample, and what can be simulated in its place.
+struct TooWide : CaseError {
+    TooWide(const std::string& message, const std::optional<SizeRange>& part, bool surrogate)
+        : CaseError(message), sizes(part), has_surrogate(surrogate) {}
+
+    std::optional<SizeRange> sizes; ///< of a part of it
+    bool has_surrogate;
+};
+
 /// What the user decides of it.
 struct OwnSoilSpec {
     std::string words;                          ///< of a command that reads the curve: "table.csv --sample TP1"
@@ -50,7 +60,7 @@ grains::Grading measured_part(const grains::Grading& measured, const std::string
 std::string left_out_of(const grains::Grading& measured, double finest, double coarsest);
 
 /// @param path for messages, and for the soil's name
-/// @throws CaseError where the sizes are too far apart for a sample, saying at which sizes to cut.
+/// @throws TooWide saying at which sizes to cut
 OwnSoil model_own_soil(const grains::Grading& measured, const std::string& path, const OwnSoilSpec& spec);
 
 using stability::FlowWay;

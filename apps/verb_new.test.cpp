@@ -1,5 +1,7 @@
 // suffuse new --psd: a case from a grading curve of the user's.
 
+#include <fmt/format.h>
+
 #include "tests/support/program.hpp"
 
 namespace suffuse {
@@ -203,6 +205,14 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     const std::string sizes = text.substr(at, text.find(' ', at) - at);
     expect_in("it takes more than 300,000,000 grains", text);
     expect_in("--sizes " + sizes + " added to the command keeps ", text); // with all else that was requested
+    const auto instead = run_suffuse({"new", "--psd", "wide gravel.csv", "--json"}).json().at("error").at("instead");
+    EXPECT_EQ(
+        fmt::format(
+            "{:.4g}mm,{:.4g}mm", 1e3 * instead.at("sizes").at(0).get<double>(),
+            1e3 * instead.at("sizes").at(1).get<double>()
+        ),
+        sizes
+    );
     EXPECT_FALSE(std::filesystem::exists(folder / "gravel"));
     const ProgramResult made = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv", "--sizes", sizes});
     ASSERT_EQ(made.code, 0) << made.error;
@@ -211,7 +221,9 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     expect_in("#~ without the ", read_all(folder / "gravel/case.toml"));
     EXPECT_EQ(run_suffuse({"check", "gravel/case.toml"}).code, 0);
     write_to(folder / "far.csv", "d,passing\n0.002,0\n0.004,30\n10,30\n20,100\n");
-    expect_in("= cutting its ends does not help", run_suffuse({"new", "--psd", "far.csv"}).error);
+    const ProgramResult far = run_suffuse({"new", "--psd", "far.csv", "--json"});
+    expect_in("= cutting its ends does not help", far.error);
+    EXPECT_TRUE(far.json().at("error").at("instead").at("sizes").is_null());
 }
 
 TEST_F(NewSoil, TheVerdictsThatACutChangesAreListedAndTheWholeCurveStaysWithTheCase) {

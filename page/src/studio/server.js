@@ -9,6 +9,7 @@ export class Refused extends Error {
     super(plain(error?.message ?? "the studio does not answer"));
     this.status = status;
     this.problems = (error?.problems ?? []).map((problem) => ({ ...problem, message: plain(problem.message) }));
+    this.instead = error?.instead; // what can be simulated in place of a soil that is too wide
     this.talk = talk ?? [];
   }
 }

@@ -61,12 +61,15 @@ const isOwnText = () => editor.text !== (editor.origin?.text ?? "");
 
 /** What to choose on this page where a case cannot be written; the sizes that the program proposes are filled in. */
 function adviceOn(error) {
-  if ($("from").value || !soil.curve || $("way").value || !error.status) return [];
-  const [, from, to] = error.message.match(/--sizes ([\d.]+)mm,([\d.]+)mm/) ?? [];
-  if (!from) return error.message.includes("--surrogate") ? ["This soil is too wide to simulate whole. Choose under Model it: a surrogate of two fractions."] : [];
-  $("size-from").value = from;
-  $("size-to").value = to;
-  return [`This soil is too wide to simulate whole. Choose under Model it: a part of it, from ${from} to ${to} mm, or a surrogate.`];
+  const { sizes, surrogate } = error.instead ?? {}, ways = [];
+  if (sizes) {
+    const [from, to] = sizes.map((size) => Number((1e3 * size).toPrecision(4)));
+    $("size-from").value = from;
+    $("size-to").value = to;
+    ways.push(`a part of it, from ${from} to ${to} mm`);
+  }
+  if (surrogate) ways.push("a surrogate of two fractions");
+  return ways.length ? [`This soil is too wide to simulate whole. Choose under Model it: ${ways.join(", or ")}.`] : [];
 }
 
 /** @param overwrites also a text that was changed by hand */
