@@ -321,6 +321,7 @@ TEST_F(Assess, ReadsTheColumnsThatAreNamed) {
     EXPECT_EQ(shown["reading"]["share"], "B");
     EXPECT_EQ(shown["reading"]["kind"], "retained on each sieve alone");
     EXPECT_EQ(shown["reading"]["share_unit"], "%");
+    EXPECT_EQ(shown["reading"]["flag"], "share");
     EXPECT_TRUE(shown["reading"]["remarks"].is_array());
     EXPECT_NEAR(shown["passing"][1].get<double>(), 0.28, 1e-12);
     EXPECT_EQ(call("named.csv --size A:um --passing C"), 0);

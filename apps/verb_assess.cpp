@@ -283,7 +283,8 @@ fs::path page_file(const AssessVerb& verb) {
 
 json reading_json(const gradings::SheetReading& reading, const json& remarks) {
     return {{"size", reading.size}, {"unit", reading.size_unit},        {"share", reading.share},
-            {"kind", reading.kind}, {"share_unit", reading.share_unit}, {"remarks", remarks}};
+            {"kind", reading.kind}, {"share_unit", reading.share_unit}, {"flag", reading.flag},
+            {"remarks", remarks}};
 }
 
 /// Prints how each file is read.

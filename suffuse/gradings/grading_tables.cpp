@@ -193,7 +193,11 @@ SheetReading reading_of(const SievedSoil& soil) {
                              : soil.unit == ShareUnit::Fraction ? "shares of 1"
                              : soil.unit == ShareUnit::PerMille ? "\u2030"
                                                                 : "%";
-    return {soil.size_heading, soil.size_unit, soil.heading, std::string(words_of(soil.meaning)), unit};
+    const char* const flag = soil.meaning == ShareMeaning::Passing              ? "passing"
+                             : soil.meaning == ShareMeaning::CumulativeRetained ? "retained"
+                             : soil.unit == ShareUnit::Percent                  ? "share"
+                                                                                : "mass";
+    return {soil.size_heading, soil.size_unit, soil.heading, std::string(words_of(soil.meaning)), unit, flag};
 }
 
 } // namespace

@@ -42,6 +42,7 @@ struct SheetReading {
     std::string share;           ///< heading as written
     std::string kind;            ///< "percent passing", "retained on each sieve alone"
     std::string share_unit;      ///< "%", "mass", "number"
+    std::string flag;            ///< that asks for this kind: "passing", "retained", "share", "mass"
 };
 
 /// "sizes: Sieve (mm), in mm; shares: Weight (%), read as retained on each sieve alone, in %".

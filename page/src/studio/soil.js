@@ -10,16 +10,13 @@ export const soil = { name: "", blob: null, text: "", samples: [], which: 0, cur
 const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"], transition: ["un", "~ transition"], holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"] };
 const known = (value) => (value === null ? undefined : value);
 
-/** How the amounts were read, as the option that says so. */
-const kindOf = (reading) => (reading.kind?.startsWith("retained on a sieve") ? "retained" : reading.kind?.startsWith("retained on each") ? (reading.share_unit === "%" ? "share" : "mass") : "passing");
-
 /** The words of the form that say how the file is read. The program wants to know both columns or none: what is left open is as it was found. */
 function readingFields() {
   const [column, unit, amount, kind] = ["size-column", "size-unit", "amount-column", "amount-kind"].map((id) => $(id).value), fields = {};
   if (column || unit || amount || kind) {
     const found = soil.samples[soil.which]?.reading ?? {};
     fields.size = (column || found.size || "1") + (unit ? `:${unit}` : "");
-    fields[kind || kindOf(found)] = amount || found.share || "2";
+    fields[kind || found.flag || "passing"] = amount || found.share || "2";
   }
   return { ...fields, by: $("by").value, sheet: $("sheet").value, rows: $("rows").value };
 }
