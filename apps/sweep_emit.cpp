@@ -11,6 +11,7 @@
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/plan/plan.hpp"
 #include "suffuse/record/folder.hpp"
+#include "suffuse/record/refine.hpp"
 #include "suffuse/record/stage_cache.hpp"
 
 #include <fmt/format.h>
