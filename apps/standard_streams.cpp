@@ -1,6 +1,7 @@
 #include "apps/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <initializer_list>
 #include <unistd.h>
 
 namespace suffuse::apps {
