@@ -81,7 +81,7 @@ TEST(ExchangeLegs, OfACubicLatticeOfSmallSpheresHaveTheirClosedForm) {
             expected[k] += 1.6 * exchange, expected[l] += 1.6 * exchange;
         }
         for (std::size_t k = 0; k < 4; ++k) {
-            EXPECT_NEAR(leg[network.pores.throat[p][k]][pores::side_of(network, p, k)] / expected[k], 1, 1e-7);
+            EXPECT_NEAR(leg[network.pores.throat[p][k]][pores::side_of(network, p, k)] / expected[k], 1, 6e-8);
         }
     }
 }
