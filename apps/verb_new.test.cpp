@@ -2,28 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "tests/support/program.hpp"
+#include "tests/support/soils_to_model.hpp"
 
 namespace suffuse {
 namespace {
 
 using namespace test;
 
-/// A sand without the sizes from 0.3 to 0.8 mm, as a laboratory would write it.
-const char* const gap_graded = "Sieve (mm);% passing\n2;100\n1,25;60\n0,8;20\n0,3;20\n0,2;8\n0,15;0\n";
-const char* const well_graded = "d [mm],passing [%]\n0.1,0\n0.15,10\n0.25,30\n0.4,55\n0.63,80\n1,100\n";
-/// Sandy gravel; what passes the finest sieve was not measured further.
-const char* const wide =
-    "d [mm],passing [%]\n0.063,4\n0.1,9\n0.2,17\n0.3,21\n1,24\n2,31\n4,45\n8,66\n16,88\n31.5,100\n";
-
-class NewSoil : public Cli {
-protected:
-    void SetUp() override {
-        write_to(folder / "gap.csv", gap_graded);
-        write_to(folder / "well.csv", well_graded);
-        write_to(folder / "wide gravel.csv", wide);
-    }
-};
+class NewSoil : public SoilsToModel {};
 
 TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     for (const auto& [name, reason] :
@@ -48,100 +34,6 @@ TEST_F(NewSoil, TheCaseIsCheckedAndPlannedAsItStands) {
     expect_in("#~ yours: the hydraulic gradient", gap);
     expect_in("0.15,0\n", read_all(folder / "gap/data/gap.csv"));
     EXPECT_EQ(run_suffuse({"new", "--psd", "gap.csv"}).code, 2); // nothing is overwritten
-}
-
-TEST_F(NewSoil, WithAFilterIsABaseThatWaterTakesThere) {
-    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,0\n0.25,100\n");
-    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,100\n");
-    const ProgramResult made = run_suffuse({"new", "base.csv", "--filter", "drain.csv", "-i", "5"});
-    ASSERT_EQ(made.code, 0) << made.error;
-    const std::string path = "base-and-drain/case.toml";
-    expect_in(path, made.out);
-    expect_in("grains of base on", made.error);
-    const std::string text = read_all(folder / path);
-    expect_in("gradients    = [5]", text);
-    expect_in("downward", text);
-    const ProgramResult checked = run_suffuse({"check", path, "--json"});
-    EXPECT_EQ(checked.code, 0) << checked.error;
-    EXPECT_EQ(run_suffuse({"plan", path}).code, 0);
-    const ProgramResult assessed = run_suffuse({"assess", "base.csv", "--filter", "drain.csv"});
-    expect_in("suffuse new base.csv --filter drain.csv", assessed.error);
-    write_to(folder / "two.csv", "d [mm],fine,drain\n0.2,0,0\n0.25,100,0\n0.9,100,0\n1.1,100,100\n");
-    expect_in(
-        "choose it by --filter-sample NAME", run_suffuse({"new", "z", "--psd", "base.csv", "--filter", "two.csv"}).error
-    );
-    const ProgramResult both =
-        run_suffuse({"new", "two.csv", "--sample", "fine", "--filter", "two.csv", "--filter-sample", "drain", "-i", "5"}
-        );
-    ASSERT_EQ(both.code, 0) << both.error;
-    expect_in("fine-and-drain/case.toml", both.out);
-    const ProgramResult swapped = run_suffuse({"new", "x", "--psd", "drain.csv", "--filter", "base.csv"});
-    EXPECT_EQ(swapped.code, 3);
-    expect_in("not coarser than its base", swapped.error);
-    write_to(folder / "silt.csv", "d [mm],passing [%]\n0.01,0\n0.02,100\n");
-    const ProgramResult fine = run_suffuse({"new", "y", "--psd", "silt.csv", "--filter", "drain.csv"});
-    EXPECT_EQ(fine.code, 3);
-    expect_in("more than 40000", fine.error);
-    EXPECT_FALSE(std::filesystem::exists(folder / "y"));
-}
-
-TEST_F(NewSoil, HowAFileIsReadIsAboutTheBaseAndNotAboutItsFilter) {
-    write_to(folder / "base.csv", "size,share\n0.2,0\n0.23,50\n0.25,50\n");
-    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1,30\n1.1,100\n");
-    const ProgramResult assessed =
-        run_suffuse({"assess", "base.csv", "--by", "number", "--size", "1:mm", "--share", "2", "--filter", "drain.csv"}
-        );
-    ASSERT_EQ(assessed.code, 0) << assessed.error;
-    expect_in("suffuse new base.csv --size 1:mm --share 2 --by number --filter drain.csv", assessed.error);
-    const ProgramResult made = run_suffuse(
-        {"new", "stack", "--psd", "base.csv", "--size", "1:mm", "--share", "2", "--by", "number", "--filter",
-         "drain.csv"}
-    );
-    ASSERT_EQ(made.code, 0) << made.error;
-    expect_in("0.9,0\n1,30\n1.1,100\n", read_all(folder / "stack/data/drain.csv"));
-}
-
-TEST_F(NewSoil, WhatAStackDoesNotKnowIsRefused) {
-    using Words = std::vector<std::string>;
-    for (const Words& words :
-         {Words{"--particles", "50"}, {"--fines", "0.5mm"}, {"--surrogate"}, {"--sizes", "1mm,2mm"}}) {
-        Words all{"new", "x", "--psd", "gap.csv", "--filter", "well.csv"};
-        all.insert(all.end(), words.begin(), words.end());
-        const ProgramResult refused = run_suffuse(all);
-        EXPECT_EQ(refused.code, 2) << words.front();
-        expect_in("excludes", refused.error);
-        expect_in(words.front(), refused.error);
-    }
-}
-
-TEST_F(NewSoil, TheGradientInABaseIsMarkedAndStatedWhereItIsAssumed) {
-    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,0\n0.25,100\n");
-    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,100\n");
-    const ProgramResult assumed = run_suffuse({"new", "a", "--psd", "base.csv", "--filter", "drain.csv"});
-    expect_in("a pressure of 100 kPa and a gradient of 1 are assumed: enter your own in a/case.toml", assumed.error);
-    expect_in(
-        "gradients    = [1]                    #~ yours: the hydraulic gradient", read_all(folder / "a/case.toml")
-    );
-    const ProgramResult given =
-        run_suffuse({"new", "b", "--psd", "base.csv", "--filter", "drain.csv", "-i", "5", "--pressure", "50 kPa"});
-    EXPECT_EQ(given.error.find("assumed"), std::string::npos) << given.error;
-    expect_in("gradients    = [5]                    # as specified:", read_all(folder / "b/case.toml"));
-}
-
-TEST_F(NewSoil, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
-    write_to(folder / "base.csv", "d [mm],passing [%]\n0.2,30\n0.25,60\n0.3,100\n");
-    write_to(folder / "drain.csv", "d [mm],passing [%]\n0.9,0\n1.1,96\n");
-    const ProgramResult made = run_suffuse({"new", "stack", "--psd", "base.csv", "--filter", "drain.csv", "--json"});
-    ASSERT_EQ(made.code, 0) << made.error;
-    expect_in("left out of base, for its sizes were not measured: the 30 % finer than 0.2 mm", made.error);
-    expect_in("left out of drain, for its sizes were not measured: the 4 % coarser than 1.1 mm", made.error);
-    EXPECT_EQ(made.json().at("left_out").at("base"), "the 30 % finer than 0.2 mm");
-    expect_in("[%]\n0.2,30\n0.25,60\n0.3,100\n", read_all(folder / "stack/data/base.csv")); // as it was measured
-    const std::string text = read_all(folder / "stack/case.toml");
-    expect_in("sizes = [\"0.2 mm\", \"0.3 mm\"] #~ without the 30 % finer than 0.2 mm", text);
-    expect_in("sizes = [\"0.9 mm\", \"1.1 mm\"] #~ without the 4 % coarser than 1.1 mm", text);
-    const ProgramResult assessed = run_suffuse({"assess", "stack/case.toml", "--json"});
-    EXPECT_EQ(assessed.json().at("soils").at(0).at("missing_fine"), 0.3) << assessed.out;
 }
 
 TEST_F(NewSoil, WithAFlowItsFinesHaveWeight) {
@@ -335,51 +227,12 @@ TEST_F(NewSoil, TakesTheFinesThatAssessFindsAlsoOnAnOpenCurveOrTheSpecifiedOnes)
     expect_in("100 % of it is finer than 30 mm", beyond.error);
 }
 
-TEST_F(NewSoil, ASurrogateStandsForASoilThatIsTooWide) {
-    const std::string refused = run_suffuse({"new", "--psd", "wide gravel.csv"}).error;
-    expect_in("suffuse new --psd 'wide gravel.csv' --surrogate", refused);
-    const ProgramResult made = run_suffuse({"new", "wide gravel.csv", "--surrogate", "--json"}); // short for --psd
-    ASSERT_EQ(made.code, 0) << made.error;
-    const nlohmann::json document = made.json();
-    EXPECT_NEAR(document.at("fines_content").get<double>(), 0.21, 1e-12);
-    EXPECT_TRUE(document.at("extrapolated").get<bool>());
-    EXPECT_EQ(document.at("size_ratios"), nlohmann::json({3, 4.5, 7.5}));
-    const std::string text = read_all(folder / "wide-gravel/case.toml");
-    expect_in("surrogate         = { finer_than = \"0.3 mm\" }", text);
-    expect_in("size_ratio = [3, 4.5, 7.5]", text);
-    expect_in("direction = \"x\"", text);
-    expect_in("direction = \"z\"", text);
-    const ProgramResult plan = run_suffuse({"plan", "wide-gravel", "--json"});
-    ASSERT_EQ(plan.code, 0) << plan.error;
-    EXPECT_EQ(run_suffuse({"check", "wide-gravel", "--preset", "standard"}).code, 0);
-}
-
 TEST_F(NewSoil, AFolderMayStandBehindTheFileOfACurve) {
     EXPECT_EQ(run_suffuse({"new", "gap.csv", "of gap"}).code, 0);
     EXPECT_TRUE(exists(folder / "of gap/case.toml"));
     const ProgramResult two_folders = run_suffuse({"new", "no.csv", "of no"});
     EXPECT_EQ(two_folders.code, 2);
     expect_in("no.csv is no file of a grading curve", two_folders.error);
-}
-
-TEST_F(NewSoil, ASurrogateHasTheSizeRatioOfItsSoilWhereThatIsInReach) {
-    const nlohmann::json document =
-        run_suffuse({"new", "gap.csv", "--surrogate", "--flow", "up", "-i", "0.3", "--json"}).json();
-    EXPECT_FALSE(document.at("extrapolated").get<bool>());
-    EXPECT_EQ(document.at("size_ratios").size(), 1U);
-    EXPECT_EQ(document.at("size_ratios").front(), document.at("size_ratio"));
-    const std::string text = read_all(folder / "gap/case.toml");
-    expect_in("asked_gradient = 0.3", text);
-    EXPECT_EQ(text.find("direction = \"x\""), std::string::npos) << "upward alone";
-    EXPECT_EQ(run_suffuse({"check", "gap"}).code, 0);
-}
-
-TEST_F(NewSoil, OfASoilThatNoSplitMakesUnstableThereIsNoSurrogate) {
-    const ProgramResult refused = run_suffuse({"new", "well.csv", "--surrogate"});
-    EXPECT_EQ(refused.code, 3);
-    expect_in("no split of this curve is unstable", refused.error);
-    expect_in("suffuse assess well.csv", refused.error);
-    EXPECT_EQ(run_suffuse({"new", "well.csv", "--surrogate", "--fines", "0.2mm"}).code, 0) << "where one is requested";
 }
 
 TEST_F(NewSoil, AFinesLimitBelowWhatWasMeasuredIsNamed) {
@@ -395,21 +248,6 @@ TEST_F(NewSoil, AFinesLimitBelowWhatWasMeasuredIsNamed) {
     }
     write_to(folder / "open.csv", "d [mm],passing [%]\n1,40\n2,90\n4,100\n");
     EXPECT_EQ(run_suffuse({"new", "q", "--psd", "open.csv", "--fines", "1.5mm"}).code, 0);
-}
-
-TEST_F(NewSoil, ASurrogateHasRatiosWithoutRepetitionAndLeavesNothingBehindIfThereIsNone) {
-    write_to(folder / "y.csv", "d [mm],passing [%]\n0.01,0\n0.075,35\n0.3,60\n1,80\n4,95\n10,100\n");
-    EXPECT_EQ(run_suffuse({"new", "f", "--psd", "y.csv", "--surrogate"}).code, 3) << "95 % of fines have no skeleton";
-    EXPECT_FALSE(std::filesystem::exists(folder / "f"));
-    const ProgramResult made = run_suffuse({"new", "f", "--psd", "y.csv", "--surrogate", "--fines", "4mm", "--json"});
-    ASSERT_EQ(made.code, 0) << made.error;
-    EXPECT_EQ(made.json().at("size_ratios"), (std::vector<double>{1.5, 2}));
-    const ProgramResult none =
-        run_suffuse({"new", "g", "--psd", "y.csv", "--surrogate", "--fines", "4mm", "--particles", "5000"});
-    EXPECT_EQ(none.code, 3);
-    expect_in("nothing can be extrapolated", none.error);
-    EXPECT_FALSE(std::filesystem::exists(folder / "g"));
-    EXPECT_EQ(run_suffuse({"new", "h", "--psd", "y.csv"}).error.find("--surrogate"), std::string::npos);
 }
 
 TEST_F(NewSoil, SuggestsCommandsThatNameTheSampleAndTheFilter) {
