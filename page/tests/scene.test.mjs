@@ -266,7 +266,7 @@ test("scale bars are 1, 2 or 5 times a power of ten", () => {
 
 const packed = (type, Values, list) => ({ type, data: Buffer.from(new Values(list).buffer).toString("base64") });
 
-/** Four fines of diameter 2 mm in a leaning cell 10 mm wide, by the fractions of the first cell vector at which they are in each state. */
+/** Four fines of diameter 2 mm in a leaning cell 10 mm wide, by how far along the first cell vector they are in each state: beyond 1 in a further period. */
 function migration(fractions, more = {}) {
   const grains = fractions[0].length;
   const all = (type, Values, value) => packed(type, Values, Array(grains).fill(value));
@@ -274,7 +274,7 @@ function migration(fractions, more = {}) {
     id: packed("u32", Uint32Array, fractions[0].map((_, k) => k)), radius: all("f32", Float32Array, 1e-3), fine: all("u8", Uint8Array, 1), left_in: all("u16", Uint16Array, 0),
     states: fractions.map((row, k) => ({
       label: `i = 0.${k + 1}, ${k} s`, passes: k, time: k, gradient: (k + 1) / 10, cell: [[0.01, 0, 0], [0.002, 0.01, 0], [0, 0, 0.01]],
-      place: packed("u16", Uint16Array, row.flatMap((a) => [Math.round(65535 * a), 32768, 32768])), coordination: all("u8", Uint8Array, 0),
+      place: packed("u16", Uint16Array, row.flatMap((a) => [Math.round(65535 * (a - Math.floor(a))), 32768, 32768])), period: packed("i16", Int16Array, row.flatMap((a) => [Math.floor(a), 0, 0])), coordination: all("u8", Uint8Array, 0),
       contacts: { ends: packed("u32", Uint32Array, []), period: packed("u8", Uint8Array, []), normal_force: packed("f32", Float32Array, []) },
     })),
     ...more,
@@ -300,15 +300,17 @@ test("in a migration, grains are colored by fate, and classes without grains are
   assert.equal(new Set([...all.id].map((row) => colorModes(all).fate.color(all.states[0], row).join())).size, 6);
 });
 
-test("paths cross a periodic face by the shorter way, and leave out grains that moved too little", () => {
+test("paths cross periodic faces as the grain did, and leave out grains that moved too little", () => {
   const scene = migration(
-    [[0.8, 0.5, 0.5, 0.5], [0.1, 0.55, 0.5, 0.7], [0.4, 0.5, 0.55, 0.9]],
+    [[0.8, 0.5, 0.5, 0.5], [1.1, 0.55, 0.5, 0.7], [1.4, 0.5, 0.55, 0.9]],
     { left_in: packed("u16", Uint16Array, [0, 0, 0, 2]) },
   );
   const near = (found, expected) => found.forEach((value, k) => assert.ok(Math.abs(value - expected[k]) < 1e-3, `${found}, not ${expected}`)); // steps of the columns
   // The first segment ends outside the cell, 3 mm on; the second begins inside.
   near(pathOf(scene, 0, 2).ends, [9, 5, 5, 12, 5, 5, 2, 5, 5, 5, 5, 5]);
   near([0, 1, 2, 3].map((row) => pathOf(scene, row, 2).length), [6, 1, 0.5, 2]); // the last is gone in state 2
+  const far = migration([[0.8, 0.2, 0.5, 0.5], [2.5, -0.9, 1.5, 0.5]]); // more than half a cell between two states
+  near([0, 1, 2, 3].map((row) => pathOf(far, row, 1).length), [17, 11, 10, 0]);
   assert.deepEqual(pathOf(scene, 2, 1), { row: 2, ends: [], length: 0 }, "it did not move");
   assert.deepEqual(pathsShown(scene, 2, -1).map(({ row }) => row), [0, 3]);
   assert.deepEqual(pathsShown(scene, 0, -1), []);

@@ -83,6 +83,16 @@ void keep_free_contacts(
     std::erase_if(state.contacts, std::not_fn(is_of_free));
 }
 
+/// Grains are not wrapped: their places say how often they crossed a face.
+void add_periods(const dem::World& world, const RowOf& rows, SceneState& state) {
+    const Mat3 inverse_h = inverse(state.h);
+    state.period.resize(state.position.size());
+    for (std::size_t g = 0; g < world.grains.size(); ++g) {
+        const cell::Image period = cell::period_of(inverse_h, world.grains.position[g]);
+        state.period[rows.at(world.grains.id[g])] = {period.a, period.b, period.c};
+    }
+}
+
 } // namespace
 
 const record::FinishedStage*
@@ -108,6 +118,7 @@ Scene scene_of_frames(const std::vector<dem::World>& frames, const erosion::Migr
         state.passes = static_cast<int>(k);
         state.time = frame.time;
         state.gradient = frame.gradient;
+        add_periods(frames[k], rows, state);
         keep_free_contacts(frames[k], rows, frame.weight_scale, scene, state);
         scene.gradient = std::max(scene.gradient, frame.gradient);
         scene.states.push_back(std::move(state));

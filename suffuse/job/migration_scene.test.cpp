@@ -93,5 +93,14 @@ TEST(SceneOfMigration, ShowsForcesOfFreeGrainsInTheirTrueSizeAndCountsThoseOfThe
     EXPECT_NEAR(state.whole->largest_force, made, 1e-12 * made) << "of the skeleton, which no factor made softer";
 }
 
+TEST(SceneOfMigration, KnowsHowFarAGrainWentThatCrossedTheCellMoreThanOnce) {
+    AMigration of;
+    of.frames[1].grains.position[2] += of.frames[1].cell.h * Vec3{2, -1, 0};
+    const report::Scene scene = scene_of_frames(of.frames, of.result);
+    EXPECT_EQ(scene.states[1].period[2], (std::array{2, -1, 0}));
+    EXPECT_EQ(scene.states[0].period[2], (std::array{0, 0, 0}));
+    EXPECT_NEAR(norm(scene.states[1].position[2] - scene.states[0].position[2]), 0, 1e-12 * radius) << "in the cell";
+}
+
 } // namespace
 } // namespace suffuse::job

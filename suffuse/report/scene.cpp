@@ -48,6 +48,16 @@ json place_column(const SceneState& state) {
     return column("u16", parts);
 }
 
+json period_column(const SceneState& state) {
+    std::vector<std::int16_t> periods;
+    for (const auto& [a, b, c] : state.period) {
+        for (const int along : {a, b, c}) {
+            periods.push_back(static_cast<std::int16_t>(along));
+        }
+    }
+    return column("i16", periods);
+}
+
 json contact_columns(const SceneState& state) {
     std::vector<std::uint32_t> ends;
     std::vector<std::uint8_t> period;
@@ -117,6 +127,7 @@ json scene_json(const Scene& scene) {
             {"contacts", contact_columns(state)}};
         if (state.time) {
             one["time"] = *state.time;
+            one["period"] = period_column(state);
         }
         if (state.gradient) {
             one["gradient"] = *state.gradient;

@@ -36,6 +36,8 @@ struct SceneState {
     std::optional<double> time, gradient;   ///< since the first gradient [s], and hydraulic then; of migrations only
     Mat3 h = identity();                    ///< columns are the cell vectors [m]
     std::vector<Vec3> position;             ///< within the cell [m]
+    std::vector<std::array<int, 3>> period; ///< of migrations only: periods that the grain is away from there, so that
+                                            ///< its way is known across the faces of the cell
     std::vector<int> coordination;          ///< contacts of the grain
     std::vector<double> speed, fluid_force; ///< in the probe of the next pass; not a number where it saw no such grain,
                                             ///< empty without a probe [m/s], [N]

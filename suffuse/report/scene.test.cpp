@@ -86,6 +86,12 @@ TEST(Scene, OfAMigrationSaysWhereAndWhenEachGrainIs) {
     EXPECT_EQ(json.at("fates").get<std::vector<std::string>>(), scene.fates);
     const auto entered = column<std::uint16_t>(json.at("entered_in"));
     EXPECT_TRUE(std::equal(entered.begin(), entered.end(), scene.entered_in.begin(), scene.entered_in.end()));
+    const auto crossed = column<std::int16_t>(json.at("states")[3].at("period"));
+    EXPECT_EQ(crossed.size(), 3 * scene.id.size());
+    EXPECT_EQ(std::ranges::count(crossed, 1), std::ranges::count_if(scene.states[3].period, [](const auto& period) {
+                  return period[0] == 1;
+              }));
+    EXPECT_GT(std::ranges::count(crossed, 1), 0);
     std::vector<double> times, gradients;
     for (const nlohmann::json& state : json.at("states")) {
         times.push_back(state.at("time"));
@@ -107,7 +113,9 @@ TEST(Scene, OfAMigrationSaysWhereAndWhenEachGrainIs) {
     for (const char* name : {"entered_in", "fate", "fates"}) {
         EXPECT_FALSE(passes.contains(name)) << name;
     }
-    EXPECT_FALSE(passes.at("states")[0].contains("time") || passes.at("states")[0].contains("gradient"));
+    for (const char* name : {"time", "gradient", "period"}) {
+        EXPECT_FALSE(passes.at("states")[0].contains(name)) << name;
+    }
 }
 
 /// Indices of a square PNG of one byte a pixel, row by row, each row behind the byte of its filter; checks every chunk.

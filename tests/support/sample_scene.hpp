@@ -117,6 +117,7 @@ inline report::Scene sample_migration_scene() {
             // Those that lodge elsewhere do so from state 2 on.
             const double x = first[g].x + step[g] * (scene.fate[g] == 2 ? std::min(k, 2) : k);
             state.position.push_back({std::fmod(x, width), first[g].y, first[g].z});
+            state.period.push_back({static_cast<int>(x / width), 0, 0});
         }
         state.coordination.assign(first.size(), 0);
         for (std::uint32_t j = 1; j < first.size(); ++j) {

@@ -1,6 +1,6 @@
 // The scene as the program wrote it (suffuse/report/scene.hpp): base64 columns into typed arrays, meters into millimeters.
 
-const arrays = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, f32: Float32Array };
+const arrays = { u8: Uint8Array, u16: Uint16Array, u32: Uint32Array, i16: Int16Array, f32: Float32Array };
 
 function column({ type, data }) {
   const text = atob(data);
@@ -32,6 +32,7 @@ function readState(raw, grains) {
   const state = { label: raw.label, passes: raw.passes, cell, place, position, coordination, present, ends, period, force, meanForce };
   state.time = raw.time ?? null; // [s], in migrations only
   state.gradient = raw.gradient ?? null;
+  state.inPeriod = raw.period ? column(raw.period) : null; // of each grain, likewise
   state.speed = raw.speed ? column(raw.speed) : null;
   state.fluidForce = raw.fluid_force ? column(raw.fluid_force) : null;
   state.mobileGradient = raw.mobile_gradient ? column(raw.mobile_gradient) : null;

@@ -3,7 +3,7 @@ import { point } from "./data.js";
 
 /**
  * A grain's way up to state `last`: its length [mm], and both ends of each segment, six numbers each. A segment leads from
- * where the grain is in the cell to the nearest image of its next place; the following one begins in the cell again.
+ * where the grain is in the cell to its next place, which may lie beyond a face; the following one begins in the cell again.
  */
 export function pathOf(scene, row, last) {
   const ends = [];
@@ -12,15 +12,15 @@ export function pathOf(scene, row, last) {
   for (let k = 1; k <= last; ++k) {
     const [before, after] = [scene.states[k - 1], scene.states[k]];
     if (!before.present[row] || !after.present[row]) continue;
-    const [a, b, c] = [after.place[x] - before.place[x], after.place[x + 1] - before.place[x + 1], after.place[x + 2] - before.place[x + 2]];
-    if (a === 0 && b === 0 && c === 0) continue;
-    const periods = point(after.cell, Math.round(a / 65535), Math.round(b / 65535), Math.round(c / 65535));
+    const [a, b, c] = [0, 1, 2].map((e) => after.inPeriod[x + e] - before.inPeriod[x + e]);
+    if (!(a || b || c) && [0, 1, 2].every((e) => after.place[x + e] === before.place[x + e])) continue;
+    const periods = point(after.cell, a, b, c);
     let square = 0;
     for (let e = 0; e < 3; ++e) {
       ends.push(before.position[x + e]);
-      square += (after.position[x + e] - periods[e] - before.position[x + e]) ** 2;
+      square += (after.position[x + e] + periods[e] - before.position[x + e]) ** 2;
     }
-    for (let e = 0; e < 3; ++e) ends.push(after.position[x + e] - periods[e]);
+    for (let e = 0; e < 3; ++e) ends.push(after.position[x + e] + periods[e]);
     length += Math.sqrt(square);
   }
   return { row, ends, length };
