@@ -14,7 +14,8 @@
 namespace suffuse::apps {
 namespace {
 
-constexpr double across = 3.1;           ///< largest grains across the stack and in the base
+constexpr double across = 3.1;           ///< largest grains across the stack
+constexpr double base_depth = 5;         ///< largest base grains along the base, of which a screen takes the first
 constexpr double filter_depth = 4;       ///< largest grains along the filter
 constexpr double stack_tolerance = 0.10; ///< of percent passing: a stack has few filter grains
 constexpr double rough = 0.5; ///< median filter grains that the base is thick at least: its face is that rough
@@ -115,7 +116,7 @@ OwnStack model_own_stack(
     const double largest = grains::size_at(stack.filter_curve, 1), base_grain = grains::size_at(stack.base_curve, 1);
     stack.width = across * std::max(largest, base_grain);
     stack.filter_thickness = filter_depth * largest;
-    stack.base_thickness = std::max(across * base_grain, rough * coarse);
+    stack.base_thickness = std::max(base_depth * base_grain, rough * coarse);
     const packing::Layer layer{stack.base, stack.base_thickness};
     const double solid = packing::solid_of(layer, stack.width);
     const double count = solid * grains::grains_per_volume(stack.base_curve);

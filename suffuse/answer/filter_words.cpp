@@ -183,8 +183,9 @@ std::optional<figures::PageTable> tabulate_filters(const std::vector<FinishedSta
     std::vector<std::string> sentences = filter_verdict(found), doubts = filter_doubts(found);
     doubts.resize(std::min(doubts.size(), doubts_in_note));
     table.note = fmt::format(
-        "{} The largest doubts: {} Passed: of the base's mass, across the exit; up to {} of it counts as a loss after "
-        "which a filter holds. Of a base with a gap, both D15/d85 and what passed are of the grains below the gap. "
+        "{} The largest doubts: {} Passed: of the mass of the base that can move, which is all but a screen where the "
+        "water enters; across the exit. Up to {} of it counts as a loss after which a filter holds. Of a base with a "
+        "gap, both D15/d85 and what passed are of the grains below the gap. "
         "Constriction: Kenney's, the largest sphere that finds a way through the filter.",
         fmt::join(sentences, " "), fmt::join(doubts, " "), percent_text(most_lost)
     );

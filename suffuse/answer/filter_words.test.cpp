@@ -95,6 +95,7 @@ TEST(FilterWords, NameTheLargestDoubtFirstAndWhatRemovesIt) {
     const std::vector<std::string> cut = filter_doubts(filter_stages(run.stages));
     EXPECT_NE(cut[0].find("`--set 'study.s.stage.flow.hold_at_most=1.2 s'`"), std::string::npos) << cut[0];
     std::get<erosion::MigrateSpec>(run.stage.spec).time_at_most = 0.3;
+    run.stages.back().findings.migration->holds.back().ended_by = erosion::HoldEnd::TimeLimit;
     EXPECT_NE(filter_doubts(filter_stages(run.stages))[0].find("time_at_most=1.2 s'`"), std::string::npos);
     run.study.replicates = 3;
     FilterRun good;

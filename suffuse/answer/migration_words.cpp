@@ -17,14 +17,8 @@ using record::FinishedStage;
 
 constexpr std::size_t most_named = 3, most_rows = 60;
 
-/// A share of the fines before, of all that were there or entered.
-double of_all(double share, const MigrationResult& result) {
-    const double fed = result.rows.empty() ? 0 : result.rows.back().fed_mass;
-    return share * result.fines_mass / (result.fines_mass + fed);
-}
-
 double left_share(const FinishedStage& stage) {
-    return of_all(last_hold(stage).eroded_mass_share, migration_of(stage));
+    return share_of_own(migration_of(stage)) * last_hold(stage).eroded_mass_share;
 }
 
 double highest_gradient(const MigrationResult& result) {
@@ -39,7 +33,7 @@ double seconds_of(const MigrationResult& result) {
 std::string motion_text(const FinishedStage& stage) {
     return last_hold(stage).ended
                ? "motion ended"
-               : percent_text(of_all(last_hold(stage).moving_mass_share, migration_of(stage))) + " still move";
+               : percent_text(share_of_own(migration_of(stage)) * last_hold(stage).moving_mass_share) + " still move";
 }
 
 /// "water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % still move."
@@ -82,14 +76,17 @@ std::string story_text(const FinishedStage& stage) {
 
 /// "hold_at_most=8 s": the key of the limit that cut the last hold, four times as large.
 std::string longer_limit(const erosion::MigrateSpec& spec, const MigrationResult& result) {
-    constexpr double longer = 4, nearly = 0.999;
-    if (spec.time_at_most && seconds_of(result) >= nearly * *spec.time_at_most) {
-        return fmt::format("time_at_most={:.2g} s", longer * *spec.time_at_most);
+    constexpr int longer = 4;
+    const MigrationHold& last = result.holds.back();
+    const std::string_view key = name_of(last.ended_by);
+    switch (last.ended_by) {
+    case erosion::HoldEnd::TimeLimit:
+        return fmt::format("{}={:.2g} s", key, longer * spec.time_at_most.value());
+    case erosion::HoldEnd::StepLimit:
+        return fmt::format("{}={}", key, longer * spec.steps_at_most.value());
+    default:
+        return fmt::format("hold_at_most={:.2g} s", longer * last.held_for);
     }
-    const double held_for = result.holds.back().held_for;
-    return spec.steps_at_most && held_for < nearly * spec.hold_at_most
-               ? fmt::format("steps_at_most={}", 4 * *spec.steps_at_most)
-               : fmt::format("hold_at_most={:.2g} s", longer * held_for);
 }
 
 } // namespace
@@ -161,8 +158,8 @@ std::optional<figures::PageTable> tabulate_migrations(const std::vector<Finished
     figures::PageTable table;
     table.section = "Erosion";
     table.title = "Fines that leave";
-    table.note = "Shares are of the mass of the fines that were there before. A hold that was cut bounds what leaves "
-                 "from below.";
+    table.note = "Shares are of the mass of the fines that were there before, with what the water brought. A hold that "
+                 "was cut bounds what leaves from below.";
     if (const std::string story = story_text(*found.front()); !story.empty()) {
         table.note += " " + story;
     }
@@ -170,11 +167,12 @@ std::optional<figures::PageTable> tabulate_migrations(const std::vector<Finished
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;
     for (const FinishedStage* stage : found) {
+        const double own = share_of_own(migration_of(*stage));
         for (const MigrationHold& hold : migration_of(*stage).holds) {
             if (table.rows.size() < most_rows) {
                 table.rows.push_back(
                     {stage->name(), short_number(hold.gradient), short_number(hold.held_for, 2),
-                     percent_text(hold.eroded_mass_share), percent_text(hold.moving_mass_share),
+                     percent_text(own * hold.eroded_mass_share), percent_text(own * hold.moving_mass_share),
                      short_number(hold.permeability), hold.ended ? "ended" : "cut"}
                 );
             }

@@ -109,17 +109,19 @@ TEST(MigrationWords, DoubtMotionThatHasNotEndedFirst) {
 }
 
 TEST(MigrationWords, AdviseToRaiseTheLimitThatCutTheLastHold) {
-    const auto advice = [](const erosion::MigrateSpec& spec) {
+    using erosion::HoldEnd;
+    const auto advice = [](HoldEnd end, const erosion::MigrateSpec& spec) {
         MigrationRun run;
         run.stage.spec = spec;
         run.add(0.14, false); // held for 2 of 3 s
+        run.stages.back().findings.migration->holds.back().ended_by = end;
         const std::string doubt = migration_doubts(run.found()).front();
         return doubt.substr(doubt.find("wash.") + 5);
     };
-    EXPECT_EQ(advice({.hold_at_most = 2}), "hold_at_most=8 s'`.");
-    EXPECT_EQ(advice({.hold_at_most = 2, .time_at_most = 9}), "hold_at_most=8 s'`.");
-    EXPECT_EQ(advice({.hold_at_most = 5, .time_at_most = 3}), "time_at_most=12 s'`.");
-    EXPECT_EQ(advice({.hold_at_most = 5, .steps_at_most = 1000}), "steps_at_most=4000'`.");
+    EXPECT_EQ(advice(HoldEnd::HoldLimit, {.hold_at_most = 2}), "hold_at_most=8 s'`.");
+    EXPECT_EQ(advice(HoldEnd::HoldLimit, {.hold_at_most = 2, .time_at_most = 9}), "hold_at_most=8 s'`.");
+    EXPECT_EQ(advice(HoldEnd::TimeLimit, {.hold_at_most = 5, .time_at_most = 3}), "time_at_most=12 s'`.");
+    EXPECT_EQ(advice(HoldEnd::StepLimit, {.hold_at_most = 5, .steps_at_most = 1000}), "steps_at_most=4000'`.");
 }
 
 TEST(MigrationWords, OnACardMarkALowerBound) {

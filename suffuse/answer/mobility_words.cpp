@@ -66,7 +66,7 @@ std::string what_moves(const MobilityStory& story) {
 
 std::string moved_text(double share) {
     const double percent = 100 * share;
-    return percent < 0.05 ? "less than 0.1 %" : fmt::format("{:.2g} %", percent);
+    return percent < 0.05 ? "less than 0.1 %" : short_number(percent, 2) + " %";
 }
 
 /// "; the soil heaves at 1.05".

@@ -211,6 +211,20 @@ const PackSpec* stack_of(const Variant& variant, const Stage& stage) {
     return pack != nullptr && !pack->layers.empty() ? pack : nullptr;
 }
 
+namespace {
+
+/// Whether the base had migrated before the stage begins: some of it is in the filter then, or beyond.
+bool has_migrated(const Variant& variant, const Stage& stage) {
+    for (int at = stage.parent; at >= 0; at = variant.stages[static_cast<std::size_t>(at)].parent) {
+        if (std::holds_alternative<erosion::MigrateSpec>(variant.stages[static_cast<std::size_t>(at)].spec)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
 bool packs_one_soil(const Stage& stage) {
     const auto* pack = std::get_if<PackSpec>(&stage.spec);
     return traits_of(stage).origin == Origin::Soil && (pack == nullptr || pack->layers.empty());
@@ -255,6 +269,13 @@ void check_in_stack(ReadContext& context, const Variant& variant, const Stage& s
             refuse(
                 fmt::format("its water does not go along +{}, from the base into the filter", "xyz"[stack->axis]),
                 "give it the `direction` of the `axis` of the layers; turn [gravity] for a flow downward"
+            );
+        }
+        if (has_migrated(variant, stage)) {
+            refuse(
+                "its base has migrated before: where the base ends, and which of it is its screen, is known of a fresh "
+                "one only",
+                "list all gradients in the `gradients` of the first one"
             );
         }
         if (migrate->skeleton == erosion::Skeleton::Moves) {

@@ -97,6 +97,7 @@ TEST(Layers, ThatMakeNoStackAreRefusedWithTheirPlaceAndAdvice) {
 TEST(Layers, HaveNoStageThatShearsThemOrWashesOutFinesOfOneSoil) {
     const std::string shear = "[[study.s.stage]]\nname = \"x\"\ndo = \"shear\"\nstrain = \"1 %\"\n";
     const std::string erode = "[[study.s.stage]]\nname = \"x\"\ndo = \"erode\"\n";
+    const std::string again = replaced(flow_in_stack, "name = \"flow\"", "name = \"again\"");
     const std::string cell = "pressure = \"100 kPa\"\n";
     const std::vector<Wrong> all{
         {flow_in_stack, shear, "E621", "shears the cell", "right-angled"},
@@ -104,7 +105,8 @@ TEST(Layers, HaveNoStageThatShearsThemOrWashesOutFinesOfOneSoil) {
         {flow_in_stack, erode, "E621", "through a skeleton of the same soil", "do = \"migrate\""},
         {"direction = \"z\"", "direction = \"x\"", "E621", "does not go along +z", "`direction`"},
         {"direction = \"z\"", "direction = \"-z\"", "E621", "does not go along +z", "[gravity]"},
-        {"direction = \"z\"", "direction = \"z\"\nskeleton = \"moves\"", "E621", "its skeleton moves", "\"held\""}};
+        {"direction = \"z\"", "direction = \"z\"\nskeleton = \"moves\"", "E621", "its skeleton moves", "\"held\""},
+        {flow_in_stack, flow_in_stack + again, "E621", "its base has migrated before", "list all gradients"}};
     for (const Wrong& wrong : all) {
         expect_refused(wrong, stack_case + flow_in_stack);
     }

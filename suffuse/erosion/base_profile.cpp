@@ -37,7 +37,8 @@ double slice_volume(const dem::World& world, const Stack& stack, const BaseProfi
 BaseProfile begin_profile(const dem::World& world, const Stack& stack, const Vec3& direction) {
     BaseProfile profile;
     profile.step = 0.5 * stack.filter_grain;
-    const double before = std::ceil(stack.base_thickness() / profile.step);
+    // Of the base some lies before its face, in the rough end of the filter.
+    const double before = std::ceil((stack.base_thickness() + stack.filter_grain) / profile.step);
     const double behind = std::ceil(stack.filter_thickness() / profile.step);
     profile.first = -before * profile.step;
     std::vector<double> filter(static_cast<std::size_t>(before + behind));
@@ -68,7 +69,7 @@ void note_profile(
     for (std::size_t k = 0; k < ledger.size(); ++k) {
         const double depth = depth_of(ledger, k, stack, direction);
         const bool has_left = ledger.where[k] == Whereabouts::Eroded;
-        all += ledger.mass[k];
+        all += ledger.where[k] != Whereabouts::Fixed ? ledger.mass[k] : 0;
         entered += has_left || depth > 0 ? ledger.mass[k] : 0;
         if (!has_left) {
             add_sphere(depth, 0.5 * ledger.diameter[k], profile.first, profile.step, base);

@@ -127,6 +127,28 @@ TEST(Feeding, WaitsWhereTheFaceIsFull) {
     EXPECT_NEAR(fed + migration.feeding.waiting, 40, 1e-9);
 }
 
+TEST(Feeding, GoesOnWithWaterAloneUntilThatBringsFines) {
+    MigrateSpec spec = with_feed();
+    spec.gradients = {1};
+    spec.exit = 0.02e-3; // nearly where it enters: what comes in is out at once
+    spec.feed = 1;
+    dem::World sample = lattice_to_feed();
+    sample.material.friction = 0; // nothing lodges
+    const Migration migration = feed_and_migrate(sample, spec);
+    const MigrationHold& hold = migration.result.holds.back();
+    EXPECT_NEAR(hold.held_for / spec.hold_at_most, 1, 0.05);
+    EXPECT_EQ(hold.ended_by, HoldEnd::HoldLimit) << "more could come";
+    EXPECT_FALSE(hold.ended);
+    bool was_empty = false;
+    for (const MigrationRow& row : migration.result.rows) {
+        was_empty = was_empty || row.eroded_mass >= (migration.result.fines_mass + row.fed_mass) * (1 - 1e-12);
+    }
+    EXPECT_TRUE(was_empty);
+    EXPECT_GT(migration.fed_mass, 0);
+    EXPECT_NEAR(own_eroded_mass(migration.ledger), migration.result.fines_mass, 1e-12 * migration.result.fines_mass);
+    EXPECT_GT(eroded_mass(migration.ledger), 1.1 * migration.result.fines_mass);
+}
+
 TEST(Feeding, IsNotForAStack) {
     MigrateSpec spec = with_feed();
     spec.stack = true;

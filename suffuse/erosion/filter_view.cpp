@@ -40,31 +40,16 @@ double controlling_constriction(const dem::World& world, const Vec3& direction) 
     return path.empty() ? 0 : std::max(0.0, *std::ranges::max_element(path));
 }
 
-/// The fine end of a base's widest gap [m], nothing without one. Grains above a gap let those below it pass between
-/// them, so a filter must hold the finer part; rules leave the coarser one out, too (stability/filter_between.hpp).
-std::optional<double> fine_end_of_gap(const grains::Gradation& base) {
-    constexpr double least_gap = 1.5, least_part = 0.05; // as stability/curve.hpp has them
-    std::optional<double> found;
-    double widest = least_gap;
-    for (std::size_t k = 0; k + 1 < base.diameter.size(); ++k) {
-        const double gap = base.diameter[k + 1] / base.diameter[k];
-        if (gap >= widest && base.passing[k] >= least_part && base.passing[k] <= 1 - least_part) {
-            widest = gap, found = base.diameter[k];
-        }
-    }
-    return found;
-}
-
-/// Of the mass of the grains that count [-].
+/// Of the mass of the grains that count: free ones, and finer than a gap [-].
 double eroded_share(const MigrationLedger& ledger, const std::optional<double>& gap) {
     double all = 0, eroded = 0;
     for (std::size_t k = 0; k < ledger.size(); ++k) {
-        if (!gap || ledger.diameter[k] <= *gap) {
+        if (ledger.where[k] != Whereabouts::Fixed && (!gap || ledger.diameter[k] <= *gap)) {
             all += ledger.mass[k];
             eroded += ledger.where[k] == Whereabouts::Eroded ? ledger.mass[k] : 0;
         }
     }
-    return eroded / all;
+    return all > 0 ? eroded / all : 0;
 }
 
 BaseSizes share_by_size(const MigrationLedger& ledger, const Stack& stack, const Vec3& direction) {
@@ -127,12 +112,13 @@ StackCut cut_stack(const dem::World& world, const Stack& stack, const Vec3& dire
     return cut;
 }
 
-FilterView view_filter(const dem::World& world, const Stack& stack, const Vec3& direction) {
+FilterView
+view_filter(const dem::World& world, const Stack& stack, const Vec3& direction, const std::optional<double>& base_gap) {
     constexpr double fine_end = 0.15, coarse_end = 0.85;
     FilterView view;
     view.filter_d15 = grains::size_at(grains::measure_gradation_of(world.grains, false), fine_end);
     const grains::Gradation base = grains::measure_gradation_of(world.grains, true);
-    view.base_gap = fine_end_of_gap(base);
+    view.base_gap = base_gap;
     view.base_d85 = grains::size_at(base, coarse_end * (view.base_gap ? grains::passing(base, *view.base_gap) : 1));
     view.constriction = controlling_constriction(world, direction);
     view.before = view.after = cut_stack(world, stack, direction);

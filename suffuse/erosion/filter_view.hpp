@@ -10,7 +10,10 @@ namespace suffuse::erosion {
 /// The state before the flow. The controlling constriction is the diameter of the largest sphere that finds a way
 /// through all of the filter, all of the base taken away [Kenney et al. 1985]: of the widest
 /// path that leads through the pores of its grains.
-FilterView view_filter(const dem::World& world, const Stack& stack, const Vec3& direction);
+/// @param base_gap see MigrateSpec
+FilterView view_filter(
+    const dem::World& world, const Stack& stack, const Vec3& direction, const std::optional<double>& base_gap = {}
+);
 
 /// Enters what is there now. @param world without the grains that left
 void look_again(

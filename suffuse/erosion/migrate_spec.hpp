@@ -36,6 +36,7 @@ struct MigrateSpec {
     std::optional<Gravity> gravity;            ///< of the case
     bool stack = false; ///< fines are a base, coarse grains its filter (stack.hpp): no base grain carries the skeleton,
                         ///< and gradients are of the base
+    std::optional<double> base_gap; ///< fine end of the gap in the grading of that base [m]; nothing: it has none
 };
 
 } // namespace suffuse::erosion

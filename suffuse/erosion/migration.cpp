@@ -220,17 +220,16 @@ void settle_skeleton(Migration& migration, const MigrateSpec& spec, const Surrou
     migration = std::move(next);
 }
 
-bool is_spent(const Migration& migration, const MigrateSpec& spec) {
+/// What ends the hold, whatever moves; None while nothing does.
+HoldEnd find_end(const Migration& migration, const MigrateSpec& spec) {
     const bool all_left = std::ranges::all_of(migration.ledger.where, [](Whereabouts where) {
         return where == Whereabouts::Eroded || where == Whereabouts::Fixed;
     });
-    return all_left || (spec.time_at_most && migration.time >= *spec.time_at_most * nearly_whole) ||
-           (spec.steps_at_most && migration.steps >= *spec.steps_at_most);
-}
-
-/// Whether its hold ends, whatever moves.
-bool is_cut(const Migration& migration, const MigrateSpec& spec) {
-    return migration.result.holds.back().held_for >= spec.hold_at_most * nearly_whole || is_spent(migration, spec);
+    return all_left && !spec.feed                                                       ? HoldEnd::AllLeft
+           : spec.time_at_most && migration.time >= *spec.time_at_most * nearly_whole   ? HoldEnd::TimeLimit
+           : spec.steps_at_most && migration.steps >= *spec.steps_at_most               ? HoldEnd::StepLimit
+           : migration.result.holds.back().held_for >= spec.hold_at_most * nearly_whole ? HoldEnd::HoldLimit
+                                                                                        : HoldEnd::None;
 }
 
 /// Until motion is looked at, or a limit ends the hold. A limit that is due a little before the look waits for it [s].
@@ -253,15 +252,18 @@ void note_slices(Migration& migration, const MigrateSpec& spec, const Surroundin
     }
 }
 
-/// Looks whether the fines rest. @return whether the hold is over
-bool end_hold(Migration& migration, const MigrateSpec& spec, const Surroundings& around) {
+/// Looks whether the fines rest, which they do not while the water brings more. @param end what else ends the hold
+/// @return whether the hold is over
+bool end_hold(Migration& migration, const MigrateSpec& spec, const Surroundings& around, HoldEnd end) {
     MigrationHold& hold = migration.result.holds.back();
-    const bool can_rest = can_look(migration, spec) || find_present(migration.ledger).empty();
+    const bool can_rest = can_look(migration, spec) && !spec.feed;
     hold.moving_mass_share = look_at_motion(migration, spec);
     hold.eroded_mass_share = eroded_mass(migration.ledger) / migration.result.fines_mass;
     hold.porosity = dem::porosity(migration.world);
-    hold.ended = can_rest && hold.moving_mass_share <= spec.still;
-    const bool is_over = hold.ended || is_cut(migration, spec);
+    const bool rests = can_rest && hold.moving_mass_share <= spec.still && end != HoldEnd::AllLeft;
+    hold.ended_by = rests ? HoldEnd::Rest : end;
+    hold.ended = rests || end == HoldEnd::AllLeft;
+    const bool is_over = hold.ended_by != HoldEnd::None;
     if (is_over && migration.stack.is_stack()) {
         note_profile(
             migration.ledger, migration.world, migration.stack, spec.direction, migration.result.profile, hold
@@ -275,7 +277,10 @@ bool end_hold(Migration& migration, const MigrateSpec& spec, const Surroundings&
 
 void begin_next_hold(Migration& migration, const MigrateSpec& spec) {
     std::vector<MigrationHold>& holds = migration.result.holds;
-    migration.over = holds.back().failed || is_spent(migration, spec) || holds.size() == spec.gradients.size();
+    const HoldEnd end = find_end(migration, spec);
+    const bool is_cut = end == HoldEnd::TimeLimit || end == HoldEnd::StepLimit;
+    migration.over = holds.back().failed || end == HoldEnd::AllLeft || is_cut || holds.size() == spec.gradients.size();
+    migration.cut_by = is_cut && holds.size() < spec.gradients.size() ? end : HoldEnd::None;
     if (!migration.over) {
         holds.push_back({.gradient = spec.gradients[holds.size()]});
     }
@@ -283,21 +288,29 @@ void begin_next_hold(Migration& migration, const MigrateSpec& spec) {
 
 } // namespace
 
-double eroded_mass(const MigrationLedger& ledger) {
+double mass_of(const MigrationLedger& ledger, Whereabouts where) {
     double mass = 0;
     for (std::size_t k = 0; k < ledger.size(); ++k) {
-        mass += ledger.where[k] == Whereabouts::Eroded ? ledger.mass[k] : 0;
+        mass += ledger.where[k] == where ? ledger.mass[k] : 0;
     }
     return mass;
 }
 
-double mass_share(const MigrationLedger& ledger, Whereabouts where) {
-    double some = 0, all = 0;
+double eroded_mass(const MigrationLedger& ledger) {
+    return mass_of(ledger, Whereabouts::Eroded);
+}
+
+double own_eroded_mass(const MigrationLedger& ledger) {
+    double mass = 0;
     for (std::size_t k = 0; k < ledger.size(); ++k) {
-        all += ledger.mass[k];
-        some += ledger.where[k] == where ? ledger.mass[k] : 0;
+        mass += ledger.where[k] == Whereabouts::Eroded && ledger.entered[k] < 0 ? ledger.mass[k] : 0;
     }
-    return all > 0 ? some / all : 0;
+    return mass;
+}
+
+double share_of_own(const MigrationResult& result) {
+    const double fed = result.rows.empty() ? 0 : result.rows.back().fed_mass;
+    return result.fines_mass / (result.fines_mass + fed);
 }
 
 Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
@@ -325,7 +338,8 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         ledger.start.push_back(copy.position(p));
         ledger.to_exit.push_back(distance_to_exit(copy.position(p), spec, length, migration.stack));
         ledger.where.push_back(copy.bears_load(p) ? Whereabouts::Fixed : Whereabouts::Stayed);
-        migration.result.fines_mass += sorted.grains.mass[g];
+        const bool is_screen = spec.stack && ledger.where.back() == Whereabouts::Fixed;
+        migration.result.fines_mass += is_screen ? 0 : sorted.grains.mass[g];
     }
     for (const double mass : sorted.grains.mass) {
         migration.solids_mass += mass;
@@ -341,7 +355,7 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
         MigrationHold none;
         migration.result.profile = begin_profile(sorted, migration.stack, spec.direction);
         note_profile(ledger, sorted, migration.stack, spec.direction, migration.result.profile, none);
-        migration.result.filter = view_filter(sorted, migration.stack, spec.direction);
+        migration.result.filter = view_filter(sorted, migration.stack, spec.direction, spec.base_gap);
     } else {
         migration.result.sample = begin_sample_profile(sorted, spec.direction);
         note_slices(migration, spec, around);
@@ -367,8 +381,8 @@ void migrate_on(Migration& migration, const MigrateSpec& spec, const Surrounding
             feed_fines(migration.world, migration.ledger, migration.feeding, spec, leg.water(), migration.time);
         migration.result.rows.back().fed_mass = migration.fed_mass;
     }
-    const bool none_left = find_present(migration.ledger).empty();
-    if ((none_left || can_look(migration, spec) || is_cut(migration, spec)) && end_hold(migration, spec, around)) {
+    const HoldEnd end = find_end(migration, spec);
+    if ((end != HoldEnd::None || can_look(migration, spec)) && end_hold(migration, spec, around, end)) {
         migration.settles = spec.skeleton == Skeleton::Moves;
         if (!migration.settles) {
             begin_next_hold(migration, spec);

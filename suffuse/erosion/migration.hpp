@@ -43,6 +43,7 @@ struct Migration {
     bool rested = true;                       ///< each time before the flow, within the time for it
     bool settles = false;                     ///< next the skeleton finds its new equilibrium
     bool over = false;                        ///< all gradients are done, or a budget is
+    HoldEnd cut_by = HoldEnd::None;           ///< the budget that left gradients out
 };
 
 /// Lets the fines of `sample` come to rest under their weight. @throws CaseError, StateError for a setting or sample

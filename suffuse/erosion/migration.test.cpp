@@ -116,8 +116,9 @@ TEST(Migration, ThroughTouchingGrainsWithoutFrictionIsThatOfAllFinesBelowTheirSm
     // Straight up, a grain would balance below another.
     const MigrateSpec spec{.gradients = {4}, .direction = {0.2, 0.1, 1}, .hold_at_most = 1.5, .gravity = Gravity{}};
     const Migration small = migrate(dense_lattice(8), spec), large = migrate(dense_lattice(6), spec);
-    EXPECT_EQ(mass_share(small.ledger, Whereabouts::Eroded), 1);
-    EXPECT_EQ(mass_share(large.ledger, Whereabouts::Eroded), 0);
+    EXPECT_EQ(small.result.holds.back().ended_by, HoldEnd::AllLeft);
+    EXPECT_NEAR(eroded_mass(small.ledger), small.result.fines_mass, 1e-13 * small.result.fines_mass);
+    EXPECT_EQ(eroded_mass(large.ledger), 0);
     EXPECT_TRUE(large.result.holds.front().ended);
 }
 
@@ -230,12 +231,17 @@ TEST(Migration, EndsWithItsBudgetAndSaysSo) {
     EXPECT_NEAR(in_time.time, 0.05, 0.001);
     ASSERT_EQ(in_time.result.holds.size(), 1U);
     EXPECT_FALSE(in_time.result.holds.front().ended);
+    EXPECT_EQ(in_time.result.holds.front().ended_by, HoldEnd::TimeLimit);
+    EXPECT_EQ(in_time.cut_by, HoldEnd::None) << "no gradient is left out";
     spec.time_at_most.reset();
     spec.steps_at_most = 1;
     const Migration in_steps = migrate(cubic_lattice(5), spec);
     EXPECT_GT(in_steps.time, 0);
     EXPECT_LT(in_steps.time, 0.1 * spec.still_for) << "of one burst";
     EXPECT_FALSE(in_steps.result.holds.front().ended);
+    EXPECT_EQ(in_steps.result.holds.front().ended_by, HoldEnd::StepLimit);
+    spec.gradients.push_back(1);
+    EXPECT_EQ(migrate(cubic_lattice(5), spec).cut_by, HoldEnd::StepLimit);
 }
 
 TEST(Migration, EndsAtItsLimitsThoughMotionIsLookedAtLater) {

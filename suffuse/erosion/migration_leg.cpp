@@ -77,12 +77,13 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       ),
       copy_(before.world, before.scale, buoyant_weights(before.world, *spec.gravity, around.fluid)),
       throats_(before.pores, copy_.positions()), start_(copy_.positions()), to_true_(std::sqrt(before.scale.factor)),
-      gradient_(before.result.holds.back().gradient), pull_(gradient_ / before.at_first.base * strength(spec)),
+      gradient_(before.result.holds.back().gradient), stack_(before.stack),
+      pull_(gradient_ / before.at_first.base * strength(spec)),
       most_steps_(spec.steps_at_most.value_or(std::numeric_limits<std::int64_t>::max()) - before.steps),
       force_(before.world.grains.size()), rate_(before.world.grains.size()), network_(present_.size()) {
     look_up_network();
-    if (before.stack.is_stack()) {
-        layers_ = layer_gradients(water_.seepage(), before.stack, spec.direction);
+    if (stack_.is_stack()) {
+        layers_ = layer_gradients(water_.seepage(), stack_, spec.direction);
     }
     const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
     const double flow = specific * water_.permeability() / around.fluid.viscosity;
@@ -93,21 +94,30 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
     for (std::uint32_t g = 0; g < rate_.size(); ++g) {
         rate_[g] = water_.rate(g);
     }
-    const std::size_t any = copy_.fines().front();
+    if (present_.empty()) {
+        return;
+    }
+    const std::uint32_t any = copy_.fines().front();
     const double d = median_diameter(before.world.grains);
     const double sinking =
-        norm(copy_.weight(copy_.fines().front())) / before.world.grains.mass[any] /
+        norm(copy_.weight(any)) / before.world.grains.mass[any] /
         (water_.hindrance() *
          stokes_rate(d, before.world.material.density * sphere_volume(d / 2), around.fluid.viscosity));
     burst_time_ = burst_travel * d / (flow / dem::porosity(before.world) + sinking);
 }
 
 void Leg::go(double time, double most) {
+    if (present_.empty()) { // water alone, which may bring fines
+        took_ = flowed_ = most;
+        return;
+    }
     const double begin = copy_.world().clock.time;
     do {
         burst(std::min(burst_time_, most - took_));
         const double now = (copy_.world().clock.time - begin) * to_true_;
         flowed_ += speed_ * (now - took_);
+        layers_flowed_.base += layers_now_.base * (now - took_);
+        layers_flowed_.filter += layers_now_.filter * (now - took_);
         took_ = now;
         note_travel(time + took_);
     } while (took_ < most * nearly_whole && copy_.steps() < most_steps_ && !is_flow_old());
@@ -120,12 +130,12 @@ void Leg::enter(Migration& migration) {
     migration.time += took_;
     migration.energy += power_ * flowed_;
     migration.steps += copy_.steps();
-    migration.time_step = copy_.time_step() * to_true_;
+    migration.time_step = present_.empty() ? migration.time_step : copy_.time_step() * to_true_;
     migration.hindrance = water_.hindrance();
     migration.result.holds.back().held_for += took_;
     const double speed = flowed_ / took_, permeability = water_.permeability() * speed;
     migration.result.holds.back().permeability = permeability;
-    migration.now = {speed * layers_.base, speed * layers_.filter};
+    migration.now = {layers_flowed_.base / took_, layers_flowed_.filter / took_};
     const double sample_gradient = pull_ / strength(spec_);
     migration.result.holds.back().sample_gradient = sample_gradient;
     note_whereabouts();
@@ -197,6 +207,25 @@ double Leg::speed_of_water() const {
     return std::clamp(push / resists, 0.0, fastest_);
 }
 
+/// Of the layers, over the gradient of the sample: heads of the network's pores grow with the speed of its water; what
+/// moves in a layer takes head from the water there by its drag, which the network does not count.
+LayerGradients Leg::find_layer_gradients() const {
+    const Vec3 along = spec_.direction / norm(spec_.direction);
+    double in_base = 0, in_filter = 0; // [N]
+    for (std::size_t p = 0; p < present_.size(); ++p) {
+        const std::uint32_t g = copy_.fines()[p];
+        const Vec3 counted = goes(p) ? Vec3{} : pull_ * water_.velocity(g);
+        const double drag =
+            copy_.world().grains.mass[g] * rate_[g] * dot(speed_ * (network_[p] - counted) - velocity(p), along); // [N]
+        const double from_face = moved_into(dot(copy_.position(p), along), stack_.face, stack_.length) - stack_.face;
+        (from_face < stack_.base_thickness() ? in_base : in_filter) += drag;
+    }
+    const double per_length = push_ / stack_.length; // [N/m]
+    return {
+        speed_ * layers_.base + in_base / (per_length * stack_.base_thickness()),
+        speed_ * layers_.filter + in_filter / (per_length * stack_.filter_thickness())};
+}
+
 /// Whether a grain goes with the water: it begins to where it is nearly as quick, and ceases where it comes to rest, at
 /// half the speed.
 bool Leg::goes_now(std::size_t p) const {
@@ -208,6 +237,7 @@ bool Leg::goes_now(std::size_t p) const {
 /// For a true time [s].
 void Leg::burst(double time) {
     speed_ = speed_of_water();
+    layers_now_ = stack_.is_stack() ? find_layer_gradients() : LayerGradients{speed_, speed_};
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::uint32_t g = copy_.fines()[p];
         force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);

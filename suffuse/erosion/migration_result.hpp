@@ -26,12 +26,42 @@ struct MigrationRow {
     double fed_mass = 0;        ///< that has entered with the water so far [kg]
 };
 
+/// What ended a gradient.
+enum class HoldEnd {
+    None,      ///< it goes on
+    Rest,      ///< so few fines moved
+    AllLeft,   ///< none is there that could move, and none comes
+    HoldLimit, ///< `hold_at_most`
+    TimeLimit, ///< `time_at_most`
+    StepLimit, ///< `steps_at_most`
+};
+
+/// "", "rest", "all-left", or the key of the limit.
+constexpr std::string_view name_of(HoldEnd end) {
+    switch (end) {
+    case HoldEnd::None:
+        return "";
+    case HoldEnd::Rest:
+        return "rest";
+    case HoldEnd::AllLeft:
+        return "all-left";
+    case HoldEnd::HoldLimit:
+        return "hold_at_most";
+    case HoldEnd::TimeLimit:
+        return "time_at_most";
+    case HoldEnd::StepLimit:
+        return "steps_at_most";
+    }
+    return "";
+}
+
 /// What became of a gradient.
 struct MigrationHold {
-    double gradient = 0;                                 ///< [-]
-    double sample_gradient = 0;                          ///< of the whole cell: the same but in a stack [-]
-    double held_for = 0;                                 ///< true time [s]
-    bool ended = false;                                  ///< so few fines moved; else the time or the steps were over
+    double gradient = 0;        ///< [-]
+    double sample_gradient = 0; ///< of the whole cell: the same but in a stack [-]
+    double held_for = 0;        ///< true time [s]
+    bool ended = false;         ///< motion did: `ended_by` is Rest or AllLeft
+    HoldEnd ended_by = HoldEnd::None;
     double eroded_mass_share = 0, moving_mass_share = 0; ///< of the fines' mass, at its end [-]
     double permeability = 0;                             ///< of the last flow in it [m2]
     double porosity = 0;                                 ///< at its end, after the skeleton has moved if it may [-]
@@ -175,7 +205,7 @@ struct MigrationResult {
     std::vector<MigrationFrame> frames;
     MigrationFates fates;
     GrainStory story;                ///< without throats: no grain has passed one
-    double fines_mass = 0;           ///< of the sample before [kg]
+    double fines_mass = 0;           ///< of the sample before, but for the screen of a stack: what shares are of [kg]
     double resting_permeability = 0; ///< along the flow, before any grain moves [m2]
     BaseProfile profile;             ///< of a stack
     FilterView filter;               ///< likewise
@@ -185,7 +215,14 @@ struct MigrationResult {
 /// Mass that crossed the exit [kg].
 double eroded_mass(const MigrationLedger& ledger);
 
-/// Of the mass of all fines, that of those whose whereabouts are these [-].
-double mass_share(const MigrationLedger& ledger, Whereabouts where);
+/// The same, without the grains that the water had brought [kg].
+double own_eroded_mass(const MigrationLedger& ledger);
+
+/// Of the fines whose whereabouts are these [kg].
+double mass_of(const MigrationLedger& ledger, Whereabouts where);
+
+/// Mass of the fines before over that with what the water brought: by which shares of the one become those of the
+/// other.
+double share_of_own(const MigrationResult& result);
 
 } // namespace suffuse::erosion

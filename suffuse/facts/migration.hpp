@@ -17,10 +17,18 @@ inline constexpr std::tuple migration_hold{
     ),
     row<&erosion::MigrationHold::held_for>("held_seconds", "s", "how long it was held, in the soil's own time"),
     row<&erosion::MigrationHold::ended>(
-        "ended", "", "whether motion ended, by `still`; false where a limit of time or steps cut the hold"
+        "ended", "",
+        "whether motion ended, by `still`, or all had left that could move; never while the water brings fines"
+    ),
+    row<&erosion::MigrationHold::ended_by>(
+        "ended_by", "",
+        "`rest`: by `still`; `all-left`; or the limit that cut the hold: `hold_at_most`, `time_at_most`, "
+        "`steps_at_most`"
     ),
     row<&erosion::MigrationHold::eroded_mass_share>(
-        "eroded_mass_share", "-", "of the fines' mass before the stage: has crossed the exit by the end of the hold"
+        "eroded_mass_share", "-",
+        "of the fines' mass before the stage, in layers without the screen: has crossed the exit by the end of the "
+        "hold, with what the water had brought"
     ),
     row<&erosion::MigrationHold::moving_mass_share>(
         "moving_mass_share", "-", "of that mass: moved in the last `still_for` of the hold"
@@ -43,7 +51,8 @@ inline constexpr std::tuple migration_hold{
     ),
     row<&erosion::MigrationHold::entered_mass_share>(
         "entered_mass_share", "-",
-        "in layers: of the base's mass, beyond the plane where the filter begins, whether it has left or not"
+        "in layers: of the base's mass without the screen, beyond the plane where the filter begins, whether it has "
+        "left or not"
     ),
     row<&erosion::MigrationHold::depth>(
         "depth", "m", "in layers: beyond that plane, what 95 % of the mass of the base that is in the filter has come"

@@ -58,7 +58,8 @@ std::string ends_in_words(const std::vector<MigrationCurve>& curves) {
         const MigrationRow& end = result.rows.back();
         words += fmt::format(
             "{}{}: {} % of the fines' mass eroded, and the permeability ends at {} % of that at first",
-            words.empty() ? "" : "; ", curve.name, short_number(100 * end.eroded_mass / result.fines_mass, 2),
+            words.empty() ? "" : "; ", curve.name,
+            short_number(100 * share_of_own(result) * end.eroded_mass / result.fines_mass, 2),
             short_number(kept_permeability(result, end.permeability), 2)
         );
     }
@@ -82,7 +83,7 @@ std::optional<Figure> migration_by_gradient(const std::vector<MigrationCurve>& c
         for (const MigrationHold& hold : curve.result.holds) {
             stage.push_back(curve.name);
             gradient.push_back(hold.gradient);
-            eroded.push_back(100 * hold.eroded_mass_share);
+            eroded.push_back(100 * share_of_own(curve.result) * hold.eroded_mass_share);
             permeability.push_back(kept_permeability(curve.result, hold.permeability));
             motion.emplace_back(hold.ended ? "ended" : "still moving");
         }
@@ -122,6 +123,7 @@ std::optional<Figure> migration_in_time(const std::vector<MigrationCurve>& curve
     std::vector<double> time, gradient, eroded, moving, permeability;
     for (const MigrationCurve& curve : curves) {
         const std::vector<MigrationRow>& rows = curve.result.rows;
+        const double percent = 100 * share_of_own(curve.result) / curve.result.fines_mass;
         const std::size_t every = 1 + rows.size() / most_shown;
         for (std::size_t k = 0; k < rows.size(); ++k) {
             if (k % every != 0 && k + 1 != rows.size()) {
@@ -130,8 +132,8 @@ std::optional<Figure> migration_in_time(const std::vector<MigrationCurve>& curve
             stage.push_back(curve.name);
             time.push_back(rows[k].time);
             gradient.push_back(rows[k].gradient);
-            eroded.push_back(100 * rows[k].eroded_mass / curve.result.fines_mass);
-            moving.push_back(100 * rows[k].moving_mass / curve.result.fines_mass);
+            eroded.push_back(percent * rows[k].eroded_mass);
+            moving.push_back(percent * rows[k].moving_mass);
             permeability.push_back(kept_permeability(curve.result, rows[k].permeability));
         }
     }

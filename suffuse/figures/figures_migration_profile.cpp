@@ -25,7 +25,19 @@ std::vector<std::size_t> shown_states(std::size_t states) {
 }
 
 std::string name_of_state(const MigrationCurve& curve, std::size_t state) {
-    return state == 0 ? "before" : fmt::format("after i = {}", short_number(curve.result.holds[state - 1].gradient));
+    if (state == 0) {
+        return "before";
+    }
+    const std::vector<erosion::MigrationHold>& holds = curve.result.holds;
+    const double gradient = holds[state - 1].gradient;
+    const auto alike = std::ranges::count(holds, gradient, &erosion::MigrationHold::gradient);
+    const auto so_far =
+        std::count_if(holds.begin(), holds.begin() + static_cast<std::ptrdiff_t>(state), [&](auto& hold) {
+            return hold.gradient == gradient;
+        });
+    return fmt::format(
+        "after i = {}{}", short_number(gradient), alike > 1 ? fmt::format(", time {}", so_far) : std::string()
+    );
 }
 
 json panel(const char* field, const char* title, const char* format) {

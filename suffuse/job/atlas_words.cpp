@@ -156,7 +156,7 @@ std::string answer_note(const AtlasAnswer& answer, const Seepage& seepage) {
 
 std::string percents(const std::optional<double>& of_1, const std::optional<double>& of_10) {
     const auto percent = [](const std::optional<double>& value) {
-        return value ? fmt::format("{:.2g} %", 100 * *value) : std::string("unknown");
+        return value ? short_number(100 * *value, 2) + " %" : std::string("unknown");
     };
     return percent(of_1) + " and " + percent(of_10);
 }
@@ -214,7 +214,7 @@ std::optional<std::string> sifting_note(const AtlasAnswer& answer) {
     std::vector<std::string> texts;
     texts.reserve(shares.size());
     for (const auto& [density, share] : shares) {
-        texts.push_back(fmt::format("{:.2g} % of their mass ({})", 100 * share, atlas::name_of(density)));
+        texts.push_back(fmt::format("{} % of their mass ({})", short_number(100 * share, 2), atlas::name_of(density)));
     }
     return texts.empty() ? std::nullopt
                          : std::optional(fmt::format(

@@ -116,6 +116,14 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
                   {Whereabouts::Eroded, "eroded"},
                   {Whereabouts::Fixed, "fixed"}}
 )
+NLOHMANN_JSON_SERIALIZE_ENUM(
+    HoldEnd, {{HoldEnd::None, name_of(HoldEnd::None)},
+              {HoldEnd::Rest, name_of(HoldEnd::Rest)},
+              {HoldEnd::AllLeft, name_of(HoldEnd::AllLeft)},
+              {HoldEnd::HoldLimit, name_of(HoldEnd::HoldLimit)},
+              {HoldEnd::TimeLimit, name_of(HoldEnd::TimeLimit)},
+              {HoldEnd::StepLimit, name_of(HoldEnd::StepLimit)}}
+)
 SUFFUSE_AS_JSON(Stack)
 SUFFUSE_AS_JSON(LayerGradients)
 SUFFUSE_AS_JSON(BaseProfile)

@@ -1,5 +1,6 @@
 #include "suffuse/run/migration_numbers.hpp"
 
+#include "suffuse/base/words.hpp"
 #include "suffuse/record/or_null.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/mobility_record.hpp"
@@ -7,10 +8,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace suffuse::run {
 
 namespace {
+
+/// Of the mass of all fines before.
+double fixed_share(const erosion::Migration& migration) {
+    const std::vector<double>& mass = migration.ledger.mass;
+    const double all = std::accumulate(mass.begin(), mass.end(), 0.0);
+    return mass_of(migration.ledger, erosion::Whereabouts::Fixed) / (all - migration.fed_mass);
+}
 
 /// Of layers.
 nlohmann::json stack_numbers(const erosion::Migration& migration) {
@@ -23,10 +32,11 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"base_thickness", stack.base_thickness()},
         {"filter_thickness", stack.filter_thickness()},
         {"exit", stack.exit - stack.face},
-        {"screen_mass_share", erosion::mass_share(migration.ledger, erosion::Whereabouts::Fixed)},
+        {"screen_mass_share", fixed_share(migration)},
         {"base_permeability", resting / first.base},
         {"filter_permeability", resting / first.filter},
         {"interface_head_share", 1 - base * first.base - filter * first.filter},
+        {"interface_head_share_after", 1 - base * now.base - filter * now.filter},
         {"base_permeability_after", rows.back().permeability / now.base},
         {"filter_permeability_after", rows.back().permeability / now.filter},
         {"filter_d15", migration.result.filter.filter_d15},
@@ -37,16 +47,42 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"controlling_constriction", migration.result.filter.constriction},
         {"largest_eroded", migration.result.filter.largest_eroded},
         {"base_stress", dem::mean_stress(migration.stress) / migration.scale.factor},
-        {"ended", std::ranges::all_of(migration.result.holds, &erosion::MigrationHold::ended)}};
+        {"ended", migration.result.holds.back().ended}};
 }
 
-/// What had entered with the water by the end of a hold [kg].
-double fed_until(const erosion::MigrationResult& result, const erosion::MigrationHold& hold) {
-    double fed = 0;
+/// What had entered with the water by the end of hold `k` [kg].
+double fed_until(const erosion::MigrationResult& result, std::size_t k) {
+    constexpr double rounding = 1 + 1e-9;
+    double end = 0, fed = 0;
+    for (std::size_t before = 0; before <= k; ++before) {
+        end += result.holds[before].held_for;
+    }
     for (const erosion::MigrationRow& row : result.rows) {
-        fed = row.gradient == hold.gradient ? std::max(fed, row.fed_mass) : fed;
+        fed = row.time <= rounding * end ? row.fed_mass : fed;
     }
     return fed;
+}
+
+std::string percent(double share) {
+    return short_number(100 * share, 2) + " %";
+}
+
+/// Gradients whose motion had not ended, and what could hold them longer.
+void remark_on_cuts(const erosion::MigrationResult& result, std::vector<std::string>& remarks) {
+    const std::vector<erosion::MigrationHold>& holds = result.holds;
+    const auto cut = std::ranges::find(holds, false, &erosion::MigrationHold::ended);
+    if (cut == holds.end()) {
+        return;
+    }
+    const auto cuts = std::ranges::count(holds, false, &erosion::MigrationHold::ended);
+    const double fines = result.fines_mass, fed = fed_until(result, static_cast<std::size_t>(cut - holds.begin()));
+    remarks.push_back(fmt::format(
+        "at i = {:.3g}{} motion had not ended after {:.3g} s: {} of the fines' mass{} still moved, and what erodes at "
+        "that gradient is a lower bound; a larger `{}` holds it longer",
+        cut->gradient, cuts > 1 ? fmt::format(", the first of {} such gradients,", cuts) : "", cut->held_for,
+        percent(cut->moving_mass_share * fines / (fines + fed)), fed > 0 ? ", with what the water brought," : "",
+        name_of(cut->ended_by)
+    ));
 }
 
 } // namespace
@@ -54,17 +90,15 @@ double fed_until(const erosion::MigrationResult& result, const erosion::Migratio
 nlohmann::json migration_numbers(const erosion::Migration& migration) {
     using erosion::Whereabouts;
     const erosion::MigrationResult& result = migration.result;
-    const double eroded = erosion::eroded_mass(migration.ledger);
-    const double more = (result.fines_mass + migration.fed_mass) / result.fines_mass; // in the ledger
-    const auto of_fines = [&](Whereabouts where) { return more * erosion::mass_share(migration.ledger, where); };
+    const auto of_fines = [&](Whereabouts where) { return mass_of(migration.ledger, where) / result.fines_mass; };
     nlohmann::json numbers{
         {"model", model_name(true)},
-        {"eroded_mass_share", eroded / result.fines_mass},
-        {"eroded_share_of_fines", eroded / result.fines_mass},
-        {"eroded_share_of_solids", eroded / migration.solids_mass},
+        {"eroded_mass_share", of_fines(Whereabouts::Eroded)},
+        {"eroded_share_of_fines", of_fines(Whereabouts::Eroded)},
+        {"eroded_share_of_solids", own_eroded_mass(migration.ledger) / migration.solids_mass},
         {"lodged_mass_share", of_fines(Whereabouts::Lodged)},
         {"moving_mass_share", of_fines(Whereabouts::Moving)},
-        {"fixed_mass_share", of_fines(Whereabouts::Fixed)},
+        {"fixed_mass_share", fixed_share(migration)},
         {"fed_mass_share", migration.fed_mass / result.fines_mass},
         {"permeability_before", result.resting_permeability},
         {"permeability_after", result.rows.back().permeability},
@@ -87,21 +121,10 @@ std::vector<std::string> migration_remarks(const erosion::Migration& migration, 
     std::vector<std::string> remarks;
     constexpr double wide_overlap = 0.05;
     const std::vector<erosion::MigrationHold>& holds = migration.result.holds;
-    const auto cut = std::ranges::find_if(holds, [](const erosion::MigrationHold& hold) { return !hold.ended; });
-    if (cut != holds.end()) {
-        const auto cuts = std::ranges::count(holds, false, &erosion::MigrationHold::ended);
-        const double fines = migration.result.fines_mass, fed = fed_until(migration.result, *cut);
+    remark_on_cuts(migration.result, remarks);
+    if (migration.cut_by != erosion::HoldEnd::None) {
         remarks.push_back(fmt::format(
-            "at i = {:.3g}{} motion had not ended after {:.3g} s: {:.2g} % of the fines' mass{} still moved, and what "
-            "erodes from there on is a lower bound; a longer `hold_at_most` holds it longer",
-            cut->gradient, cuts > 1 ? fmt::format(", the first of {} such gradients,", cuts) : "", cut->held_for,
-            100 * cut->moving_mass_share * fines / (fines + fed), fed > 0 ? ", with what the water brought," : ""
-        ));
-    }
-    if (holds.size() < spec.gradients.size() && holds.back().held_for > 0 && !holds.back().ended) {
-        remarks.push_back(fmt::format(
-            "`time_at_most` or `steps_at_most` ended the stage at i = {:.3g}; the {} gradients after it were not "
-            "applied",
+            "`{}` ended the stage at i = {:.3g}; the {} gradients after it were not applied", name_of(migration.cut_by),
             holds.back().gradient, spec.gradients.size() - holds.size()
         ));
     }
@@ -126,9 +149,9 @@ std::vector<std::string> migration_remarks(const erosion::Migration& migration, 
     }
     if (migration.largest_overlap > wide_overlap) {
         remarks.push_back(fmt::format(
-            "fines that moved overlapped by up to {:.2g} % of a radius: contacts are too soft; take a `softness` "
+            "fines that moved overlapped by up to {} of a radius: contacts are too soft; take a `softness` "
             "below {:.2g}",
-            100 * migration.largest_overlap, spec.softness * wide_overlap / migration.largest_overlap
+            percent(migration.largest_overlap), spec.softness * wide_overlap / migration.largest_overlap
         ));
     }
     return remarks;

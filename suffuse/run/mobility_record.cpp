@@ -1,5 +1,6 @@
 #include "suffuse/run/mobility_record.hpp"
 
+#include "suffuse/base/words.hpp"
 #include "suffuse/io/csv_writer.hpp"
 
 #include <fmt/format.h>
@@ -64,17 +65,17 @@ void note_mobility(StageWork& work, const std::string& when, const erosion::Mobi
     constexpr double restless = 0.05; // of the number of fines
     if (mobility.sifts) {
         work.warnings.push_back(fmt::format(
-            "{}: {}{:.2g} % of the fines' mass sift through the skeleton under their own weight, without any flow: "
+            "{}: {}{} % of the fines' mass sift through the skeleton under their own weight, without any flow: "
             "the modeled soil segregates under its own weight, and a gradient can only move the fines that remain",
-            work.place(), when, 100 * mobility.sifting_mass_share
+            work.place(), when, short_number(100 * mobility.sifting_mass_share, 2)
         ));
     }
     for (const erosion::MobilityStep& step : mobility.ramp) {
         if (step.still_moving > restless) {
             work.warnings.push_back(fmt::format(
-                "{}: {}at i = {:.3g} {:.2g} % of the fines still advanced after {:.4g} units of time, and the gradient "
+                "{}: {}at i = {:.3g} {} % of the fines still advanced after {:.4g} units of time, and the gradient "
                 "rose: shares from there on are lower bounds; a larger `hold_at_most` holds it longer",
-                work.place(), when, step.gradient, 100 * step.still_moving, step.held_for
+                work.place(), when, step.gradient, short_number(100 * step.still_moving, 2), step.held_for
             ));
             return;
         }

@@ -3,12 +3,14 @@
 #include "suffuse/casefile/stack_fields.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/erosion/migration.hpp"
+#include "suffuse/grains/sampling.hpp"
 #include "suffuse/io/checkpoint.hpp"
 #include "suffuse/io/csv_writer.hpp"
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/result_json.hpp"
 #include "suffuse/run/migration_numbers.hpp"
 #include "suffuse/run/stage_work.hpp"
+#include "suffuse/stability/curve.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -171,11 +173,21 @@ void write_ledger(
     table.finish();
 }
 
+/// Grains above a gap let those below it pass between them, so a filter must hold the finer part; rules leave the
+/// coarser one out, too (stability/filter_between.hpp).
+std::optional<double> fine_end_of_gap(const grains::Soil& base) {
+    const auto gap = stability::find_gap(base.measured ? *base.measured : grains::specified_grading(base));
+    return gap ? std::optional(gap->fine_end) : std::nullopt;
+}
+
 } // namespace
 
 void do_migrate(StageWork& work, const erosion::MigrateSpec& given) {
     erosion::MigrateSpec spec = given;
-    spec.stack = casefile::stack_of(work.variant, work.stage) != nullptr;
+    if (const packing::PackSpec* stack = casefile::stack_of(work.variant, work.stage)) {
+        spec.stack = true;
+        spec.base_gap = fine_end_of_gap(work.what.soils.at(stack->layers.front().soil));
+    }
     const erosion::Surroundings around = work.surroundings();
     erosion::Migration migration;
     if (work.resumed.is_null()) {

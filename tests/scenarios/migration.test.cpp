@@ -167,6 +167,23 @@ TEST(Migration, OfABaseIntoItsFilterLeavesLayersAndAProfile) {
     }
 }
 
+TEST(Migration, JudgesABaseByTheGapOfItsCurveThoughSomeOfItsGrainsLieInIt) {
+    const TempFolder folder;
+    std::string text = base_on_filter;
+    const auto replace = [&](const std::string& what, const std::string& with) {
+        text.replace(text.find(what), what.size(), with);
+    };
+    replace(
+        R"(d = ["0.18 mm", "0.22 mm"], passing = ["0 %", "100 %"])",
+        R"(d = ["0.14 mm", "0.16 mm", "0.26 mm", "0.3 mm"], passing = ["0 %", "40 %", "41 %", "100 %"])"
+    );
+    replace("500 ms", "1 ms");
+    run_text(reference_constants + text, folder.path());
+    const json stack = stage_of(folder.path(), "flow").at("stack");
+    EXPECT_NEAR(stack.at("base_gap").get<double>(), 0.16e-3, 1e-12);
+    EXPECT_LT(stack.at("base_d85"), 0.16e-3);
+}
+
 /// Runs a case in pieces: stops it after so many beats of its motion, and at the first beat of each other part of the
 /// stage. @return how often it was stopped
 int run_in_pieces(
