@@ -8,6 +8,7 @@
 #include "suffuse/dem/stable_dt.hpp"
 #include "suffuse/grains/gradation.hpp"
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/io/overlaps.hpp"
 #include "suffuse/job/run_folder.hpp"
 #include "suffuse/run/measure.hpp"
 
@@ -39,6 +40,13 @@ std::vector<std::uint8_t> claims_of(const py::object& given, std::size_t rows, s
     return claims;
 }
 
+/// @throws CaseError where grains are too large for the cell: their pairs would take all memory
+void check_room(const grains::Grains& grains, const Mat3& h, std::string_view what) {
+    if (const auto complaint = io::size_complaint(grains, h)) {
+        throw CaseError(fmt::format("{}: {}", what, *complaint));
+    }
+}
+
 Handle make_world(
     const Numbers& cell, const Numbers& position, const Numbers& radius, const NumbersOrNone& velocity,
     const NumbersOrNone& spin, const NumbersOrNone& fine, const grains::Material& material, std::uint64_t seed
@@ -55,6 +63,7 @@ Handle make_world(
         }
         grains::add_grain(world.grains, x[g], r[g], material.density);
     }
+    check_room(world.grains, world.cell.h, "radius");
     if (const auto rows = cell::find_coincident(world.cell.h, x, r)) {
         throw GeometryError(fmt::format(
             "position: the grains in rows {} and {} are at the same place or an image of it; remove one of them",
@@ -167,7 +176,11 @@ void bind_grains(py::module_& m) {
 void bind_cell(py::class_<WorldHandle, Handle>& type) {
     type.def_property(
         "cell", [](const WorldHandle& w) { return to_array(w.world().cell.h); },
-        [](WorldHandle& w, const Numbers& value) { w.world().cell.h = cell_of(value); },
+        [](WorldHandle& w, const Numbers& value) {
+            const Mat3 h = cell_of(value);
+            check_room(w.world().grains, h, "cell");
+            w.world().cell.h = h;
+        },
         "3 x 3: the periodic cell, columns are its vectors [m]. Grains do not move when it is set."
     );
     type.def_property(

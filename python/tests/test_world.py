@@ -227,6 +227,19 @@ def test_errors_have_the_words_and_the_numbers():
 
 
 
+def test_grains_that_do_not_fit_into_their_cell_are_refused():
+    position = numpy.random.default_rng(1).random((500, 3)) * 4e-3
+    in_mm = r"radius: grain 0 has a radius of 0\.1 m and does not fit into a cell 0\.004 m wide; .*given in mm"
+    with pytest.raises(suffuse.CaseError, match=in_mm):
+        suffuse.World((4e-3, 4e-3, 4e-3), position, numpy.full(500, 0.1))
+    with pytest.raises(suffuse.CaseError, match=r"radius: the grains have .* times the volume of the cell"):
+        suffuse.World((4e-3, 4e-3, 4e-3), position, numpy.full(500, 1e-3))
+    world = suffuse.World((4e-3, 4e-3, 4e-3), position, numpy.full(500, 1e-4))
+    with pytest.raises(suffuse.CaseError, match=r"cell: grain 0 has a radius of 0\.0001 m and does not fit into a cell 4e-06"):
+        world.cell = (4e-6, 4e-6, 4e-6)
+    assert world.cell[0, 0] == 4e-3 and "500 grains" in repr(world)
+
+
 def own_masses(world):
     mass = world.material.density * 4 / 3 * numpy.pi * world.grains.radius**3
     return mass, 0.4 * mass * world.grains.radius**2

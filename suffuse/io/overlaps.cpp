@@ -12,47 +12,11 @@ namespace suffuse::io {
 namespace {
 
 constexpr double densest = 2;    // volume of grains over that of their cell, beyond which no overlap is meant
+constexpr double widest = 1.25;  // grain over the period of its cell: contacts with its own image overlap by less
 constexpr int most_images = 100; // of a grain along one direction, in a cell that is sheared
 
 [[noreturn]] void refuse_grains(const std::string& origin, const std::string& message) {
     throw CaseError(origin + ": " + message, origin);
-}
-
-/// Grains that reach beyond their images, or have no room at all, are a mistake of units; looked for as pairs, each
-/// would touch thousands of them.
-void check_sizes(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    const double narrowest = std::min({norm(h.column(0)), norm(h.column(1)), norm(h.column(2))});
-    const double largest = 2 * *std::max_element(grains.radius.begin(), grains.radius.end());
-    if (!(largest <= 2 * narrowest)) { // not so either where they overflow
-        refuse_grains(
-            origin, fmt::format(
-                        "the largest grain has a diameter of {:.6g} m in a cell {:.6g} m wide; lengths in the file are "
-                        "in m: check its unit, and that of the cell",
-                        largest, narrowest
-                    )
-        );
-    }
-    const Vec3 width = cell::widths(h);
-    const double thinnest = std::min({width.x, width.y, width.z});
-    if (!(largest <= most_images * thinnest)) {
-        refuse_grains(
-            origin,
-            fmt::format(
-                "the cell is sheared until two of its faces are {:.3g} m apart, and grains of {:.3g} m would meet "
-                "their images more than {} times over; check its tilt",
-                thinnest, largest, most_images
-            )
-        );
-    }
-    if (const double share = grains::solid_volume(grains) / std::abs(determinant(h)); !(share <= densest)) {
-        refuse_grains(
-            origin, fmt::format(
-                        "the grains have {:.3g} times the volume of the cell; check its edges, the unit of lengths, "
-                        "and that radii are not diameters",
-                        share
-                    )
-        );
-    }
 }
 
 /// A position that no image of the cell can name is a mistake of the file; later it would pass for a motion blown up.
@@ -74,13 +38,49 @@ void check_positions(const grains::Grains& grains, const Mat3& h, const std::str
 
 } // namespace
 
+// Looked for as pairs, grains that reach beyond their images, or have no room at all, would touch thousands of them.
+std::optional<std::string> size_complaint(const grains::Grains& grains, const Mat3& h) {
+    if (grains.size() == 0) {
+        return std::nullopt;
+    }
+    const double narrowest = std::min({norm(h.column(0)), norm(h.column(1)), norm(h.column(2))});
+    const auto row = static_cast<std::size_t>(std::ranges::max_element(grains.radius) - grains.radius.begin());
+    const double radius = grains.radius[row];
+    if (!(2 * radius <= widest * narrowest)) { // not so either where they overflow
+        return fmt::format(
+            "grain {} has a radius of {:.6g} m and does not fit into a cell {:.6g} m wide; lengths are in m: check "
+            "that none was given in mm",
+            grains.id[row], radius, narrowest
+        );
+    }
+    const Vec3 width = cell::widths(h);
+    const double thinnest = std::min({width.x, width.y, width.z});
+    if (!(2 * radius <= most_images * thinnest)) {
+        return fmt::format(
+            "the cell is sheared until two of its faces are {:.3g} m apart, and grains of {:.3g} m would meet their "
+            "images more than {} times over; check its tilt",
+            thinnest, 2 * radius, most_images
+        );
+    }
+    if (const double share = grains::solid_volume(grains) / std::abs(determinant(h)); !(share <= densest)) {
+        return fmt::format(
+            "the grains have {:.3g} times the volume of the cell; check its edges, the unit of lengths, and that radii "
+            "are not diameters",
+            share
+        );
+    }
+    return std::nullopt;
+}
+
 std::string names_of(const grains::Grains& grains, const neighbors::Pair& pair) {
     return pair.first == pair.second ? fmt::format("grain {} and its own image", grains.id[pair.first])
                                      : fmt::format("grains {} and {}", grains.id[pair.first], grains.id[pair.second]);
 }
 
 std::vector<Overlap> find_overlaps(const grains::Grains& grains, const Mat3& h, const std::string& origin) {
-    check_sizes(grains, h, origin);
+    if (const auto complaint = size_complaint(grains, h)) {
+        refuse_grains(origin, *complaint);
+    }
     check_positions(grains, h, origin);
     std::vector<Overlap> found;
     for (const neighbors::Pair& p : neighbors::find_pairs(h, grains.position, grains.radius, 0.0)) {

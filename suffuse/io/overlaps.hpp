@@ -4,6 +4,7 @@
 #include "suffuse/grains/grains.hpp"
 #include "suffuse/neighbors/pairs.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct Overlap {
     neighbors::Pair pair;
     double share = 0; ///< of the smaller radius [-]
 };
+
+/// What is wrong with grains that do not fit into their cell: a mistake of units, most often. Nothing where they do.
+std::optional<std::string> size_complaint(const grains::Grains& grains, const Mat3& h);
 
 /// All pairs that overlap, in the order of neighbors::find_pairs.
 /// @param origin the file, for messages

@@ -163,9 +163,8 @@ TEST(PackingChecks, OverlapBeyondTheShareNamesTheWorstPair) {
         FAIL() << "expected a CaseError";
     } catch (const CaseError& error) {
         EXPECT_EQ(
-            std::string(error.what()), "mm.csv: the largest grain has a diameter of 1200 m in a cell 1 m wide; lengths "
-                                       "in the file are in m: check "
-                                       "its unit, and that of the cell"
+            std::string(error.what()), "mm.csv: grain 0 has a radius of 600 m and does not fit into a cell 1 m wide; "
+                                       "lengths are in m: check that none was given in mm"
         );
     }
 }
