@@ -35,6 +35,7 @@ def assess(grading, **settings):
     coarse_fabric: D60/D10 of the coarse part decides up to which F
     gradient: hydraulic gradient of the seepage; with it porosity, density (of the grains), alpha (mean stress of the
         fines over that of the soil), flow ("up", "down", "level" or the rise, "30deg"; upward unless given)
+    sample: of a file with several, by name
     size, and passing, retained, share or mass: columns of a file, "COLUMN" or "COLUMN:UNIT", by heading or number, where the
         file does not decide; by: "mass" or "number"; sheet: the table of a file; rows: its lines, "A-B"
 

@@ -42,6 +42,20 @@ def test_columns_of_a_file_may_be_named(dyke, tmp_path):
         suffuse.assess(named, size="A:mm", passing="C")
 
 
+def test_of_a_file_with_several_samples_one_is_named(tmp_path):
+    path = tmp_path / "two.csv"
+    path.write_text("d [mm],TP-1,TP-2\n0.1,0,0\n0.3,20,35\n1,40,60\n2,100,100\n")
+    with pytest.raises(suffuse.CaseError, match="2 samples, and one is needed: give sample= one of TP-1, TP-2"):
+        suffuse.assess(path)
+    one, other = (suffuse.assess(path, sample=name, finer_than="0.3 mm") for name in ("TP-1", "TP-2"))
+    assert one["fine_fraction"]["content"] == pytest.approx(0.2) and other["fine_fraction"]["content"] == pytest.approx(0.35)
+    assert other["soil"].endswith("two.csv, TP-2")
+    with pytest.raises(suffuse.CaseError, match="it has TP-1, TP-2"):
+        suffuse.assess(path, sample="TP-3")
+    with pytest.raises(suffuse.CaseError, match="only a file has samples"):
+        suffuse.assess(([1e-4, 1e-3], [0, 1]), sample="TP-1")
+
+
 def test_takes_arrays_and_texts_with_units(dyke):
     size = numpy.array([0.02, 0.1, 0.3, 1, 2, 8, 31.5]) * 1e-3
     finer = numpy.array([0, 0.09, 0.21, 0.24, 0.31, 0.66, 1])
