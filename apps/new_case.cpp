@@ -320,6 +320,7 @@ int new_from_soil(const SoilRequest& request, const Console& console) {
         {{"written", written.files},
          {"finer_than", soil.finer_than},
          {"fines_content", soil.fines_content},
+         {"fines_of_whole", soil.fines_of_whole},
          {"reason", soil.reason},
          {"left_out", soil.left_out},
          {"stability", stability_json(verdicts)},
@@ -329,10 +330,9 @@ int new_from_soil(const SoilRequest& request, const Console& console) {
          {"steps", {plan.steps.least, plan.steps.most}},
          {"seconds", {plan.seconds.least, plan.seconds.most}}}
     ));
-    console.talk(fmt::format(
-        "fines: finer than {:.4g} mm, {:.3g} % of the mass: {}", 1e3 * soil.finer_than, 100 * soil.fines_content,
-        soil.reason
-    ));
+    console.talk(
+        fmt::format("fines: finer than {:.4g} mm, {}: {}", 1e3 * soil.finer_than, fines_text(soil), soil.reason)
+    );
     if (!soil.left_out.empty()) {
         console.talk("left out: " + soil.left_out);
     }

@@ -33,7 +33,7 @@ triaxial_strain = "5 %"               #~
 {material}{gravity}
 [soil.{name}]
 psd   = "data/{name}.csv"             # d [mm], passing [%]
-{sizes}fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
+{sizes}fines = {{ finer_than = "{limit:.4g} mm" }} #~ {content}; {reason}
 
 [study.erosion]
 soil      = "{name}"
@@ -114,7 +114,7 @@ std::string own_case_text(const OwnSoil& soil, const OwnConditions& conditions) 
         case_form, fmt::arg("name", soil.name), fmt::arg("quick", soil.quick_grains),
         fmt::arg("quick_mark", soil.is_size_given ? "# as specified" : few),
         fmt::arg("standard", standard_over_quick * soil.quick_grains), fmt::arg("limit", 1e3 * soil.finer_than),
-        fmt::arg("content", 100 * soil.fines_content), fmt::arg("reason", soil.reason),
+        fmt::arg("content", fines_text(soil)), fmt::arg("reason", soil.reason),
         fmt::arg("pressure", '"' + print_quantity(pressure, dimension::pressure) + '"'),
         fmt::arg("pressure_mark", site_mark(conditions.pressure)),
         fmt::arg("gradient", conditions.gradient.value_or(assumed_gradient)),

@@ -121,9 +121,9 @@ std::string grains_needed(double count) {
 refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, double needed, const OwnSoilSpec& spec) {
     const std::int64_t most = spec.particles.value_or(std::llround(most_quick_grains));
     const std::string found = fmt::format(
-        "{}: sizes from {} to {} are too far apart for one sample\n  = with {:.3g} % of fines (below {}) it takes "
+        "{}: sizes from {} to {} are too far apart for one sample\n  = the fines (below {}) are {}: it takes "
         "{} grains, and {}",
-        path, mm(grading.diameter.front()), mm(grading.diameter.back()), 100 * soil.fines_content, mm(soil.finer_than),
+        path, mm(grading.diameter.front()), mm(grading.diameter.back()), mm(soil.finer_than), fines_text(soil),
         grains_needed(needed),
         spec.particles ? fmt::format("--particles allows {}", grouped(most))
                        : fmt::format("a quick sample has at most {} (--particles N allows others)", grouped(most))
@@ -146,10 +146,8 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
               )
             : "";
     const auto gap = stability::find_gap(soil.measured); // what lies in it is no skeleton
-    const auto part = grains::find_modeled_part(
-        grading, {soil.finer_than, gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than},
-        static_cast<double>(most)
-    );
+    const double coarser_than = gap ? std::max(gap->coarse_end, soil.finer_than) : soil.finer_than;
+    const auto part = grains::find_modeled_part(grading, {soil.finer_than, coarser_than}, static_cast<double>(most));
     if (!part) {
         throw TooWide(
             fmt::format(
@@ -163,12 +161,15 @@ refuse(const std::string& path, const Grading& grading, const OwnSoil& soil, dou
     }
     const Grading cut = grains::part_between(grading, part->finest, part->coarsest);
     const std::string turned = turned_text(judge_cut(soil.measured, cut, soil.finer_than));
+    const auto finer = [&](double size) { return grains::passing(soil.measured, size); }; // of all the soil's mass
+    const double fines_kept = 1 - finer(part->finest) / finer(soil.finer_than);
+    const double coarse_kept = (finer(part->coarsest) - finer(coarser_than)) / (1 - finer(coarser_than));
     throw TooWide(
         fmt::format(
             "{}{}\n  = help: cut the curve: --sizes {:.4g}mm,{:.4g}mm added to the command keeps {:.0f} % of the fines "
             "and "
             "{:.0f} % of the coarse grains{}{}",
-            found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * part->fines_kept, 100 * part->coarse_kept,
+            found, described, 1e3 * part->finest, 1e3 * part->coarsest, 100 * fines_kept, 100 * coarse_kept,
             turned.empty() ? "" : "\n  = cutting changes these verdicts (whole soil -> modeled part): " + turned,
             stand_in
         ),
@@ -210,6 +211,14 @@ std::string left_out_of(const Grading& measured, double finest, double coarsest)
     return text;
 }
 
+std::string fines_text(const OwnSoil& soil) {
+    return soil.left_out.empty() ? fmt::format("{:.3g} % of the mass", 100 * soil.fines_content)
+                                 : fmt::format(
+                                       "{:.3g} % of the modeled part, {:.3g} % of the whole soil",
+                                       100 * soil.fines_content, 100 * soil.fines_of_whole
+                                   );
+}
+
 OwnSoil model_own_soil(const Grading& measured, const std::string& path, const OwnSoilSpec& spec) {
     constexpr double least_grains = 2000;
     const Grading whole = measured_part(measured, path);
@@ -222,6 +231,7 @@ OwnSoil model_own_soil(const Grading& measured, const std::string& path, const O
     const auto [finest, coarsest] = modeled_sizes(whole, spec.sizes, soil.finer_than);
     soil.grading = grains::part_between(whole, finest, coarsest);
     soil.fines_content = grains::passing(soil.grading, soil.finer_than);
+    soil.fines_of_whole = grains::passing(measured, soil.finer_than);
     soil.left_out = left_out_of(measured, finest, coarsest);
     soil.measured = measured;
     const double needed = grains::representative_count(soil.grading, soil.finer_than);

@@ -24,6 +24,7 @@ struct OwnSoil {
     grains::Grading measured;      ///< the curve as given, with what is left out
     double finer_than = 0;         ///< [m]
     double fines_content = 0;      ///< of the modeled curve [-]
+    double fines_of_whole = 0;     ///< likewise of the whole soil, as `assess` says [-]
     std::string reason;            ///< why that size
     std::int64_t quick_grains = 0; ///< of the quick preset
     bool is_size_given = false;    ///< so many were requested
@@ -58,6 +59,9 @@ grains::Grading measured_part(const grains::Grading& measured, const std::string
 
 /// "the 4 % finer than 0.063 mm": what lies beyond the modeled sizes [m], of the mass that was measured or not.
 std::string left_out_of(const grains::Grading& measured, double finest, double coarsest);
+
+/// "13.8 % of the modeled part, 20 % of the whole soil"; "20 % of the mass" where all of it is modeled.
+std::string fines_text(const OwnSoil& soil);
 
 /// @param path for messages, and for the soil's name
 /// @throws TooWide saying at which sizes to cut

@@ -118,6 +118,21 @@ TEST_F(NewSoil, ACurveThatIsTooWideIsRefusedWithTheSizesThatWillDo) {
     EXPECT_TRUE(far.json().at("error").at("instead").at("sizes").is_null());
 }
 
+TEST_F(NewSoil, SaysOfWhichMassTheFinesAreAShareAndKeepsOfAllFines) {
+    write_to(folder / "part.csv", "d [mm],passing [%]\n0.1,8\n0.2,30\n0.4,70\n0.6,95\n"); // F(0.146 mm) = 20 %
+    const ProgramResult made = run_suffuse({"new", "part", "--psd", "part.csv", "--fines", "0.146mm"});
+    expect_in("finer than 0.146 mm, 13.8 % of the modeled part, 20 % of the whole soil: as specified", made.error);
+    expect_in(
+        "#~ 13.8 % of the modeled part, 20 % of the whole soil; as specified", read_all(folder / "part/case.toml")
+    );
+    const ProgramResult refused = run_suffuse({"new", "gravel", "--psd", "wide gravel.csv"});
+    expect_in(
+        "the fines (below 0.3 mm) are 17.7 % of the modeled part, 21 % of the whole soil: it takes", refused.error
+    );
+    // 1 - F(0.213 mm)/F(0.3 mm), where F = 17 % + 4 % ln(0.213/0.2)/ln(0.3/0.2)
+    expect_in("--sizes 0.213mm,2.78mm added to the command keeps 16 % of the fines and 18 % of", refused.error);
+}
+
 TEST_F(NewSoil, TheVerdictsThatACutChangesAreListedAndTheWholeCurveStaysWithTheCase) {
     const std::string turned = "unstable -> stable: Kenney and Lau 1985";
     expect_in(turned, run_suffuse({"new", "gravel", "--psd", "wide gravel.csv"}).error); // the advice to cut
