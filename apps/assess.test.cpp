@@ -204,6 +204,28 @@ TEST_F(Assess, ComparesManySamplesAndNamesTheWorst) {
     EXPECT_TRUE(std::filesystem::exists(folder / "pages/002-B/report.html"));
 }
 
+TEST_F(Assess, AFileThatCannotBeReadLeavesTheOthersJudged) {
+    write_to(folder / "bad.csv", "d [mm],passing [%]\n0.1,0\n0.2,70\n0.3,60\n");
+    write_to(folder / "sand.csv", "d [mm],passing [%]\n0.1,0\n0.2,40\n0.4,100\n");
+    EXPECT_EQ(call("bad.csv nowhere.csv dyke.csv sand.csv"), 3) << "the code of the first error";
+    expect_in("bad.csv:4", error);
+    expect_in("nowhere.csv", error);
+    expect_out("worst: ");
+    EXPECT_EQ(call("nowhere.csv dyke.csv --json"), 74);
+    const auto parsed = nlohmann::json::parse(out);
+    ASSERT_EQ(parsed["soils"].size(), 1U);
+    EXPECT_EQ(parsed["errors"].size(), 1U);
+    EXPECT_EQ(parsed["errors"][0]["file"], "nowhere.csv");
+    EXPECT_EQ(parsed["errors"][0]["kind"], "io");
+    expect_in("suffuse new --psd dyke.csv", error); // what can be done with the one that is left
+    EXPECT_EQ(call("bad.csv dyke.csv --show-reading --json"), 3);
+    EXPECT_EQ(nlohmann::json::parse(out)["soils"].size(), 1U);
+    EXPECT_EQ(call("bad.csv nowhere.csv --json"), 3);
+    EXPECT_EQ(nlohmann::json::parse(out)["errors"].size(), 2U);
+    EXPECT_EQ(call("dyke.csv sand.csv --json"), 0);
+    EXPECT_FALSE(nlohmann::json::parse(out).contains("errors"));
+}
+
 TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     write_to(folder / "filter.csv", "d [mm],passing [%]\n2,0\n8,100\n");
     EXPECT_EQ(call("dyke.csv --filter filter.csv"), 0);

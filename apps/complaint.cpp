@@ -84,7 +84,10 @@ std::string harmless(std::string message) {
     return message;
 }
 
-int print(const Complaint& complaint, const Console& console) {
+} // namespace
+
+ReportedError report_current_error(const Console& console) {
+    const Complaint complaint = current_complaint(console.has_color());
     console.error(complaint.rendered ? complaint.message : harmless(complaint.message), complaint.rendered);
     nlohmann::json document{
         {"kind", complaint.kind},
@@ -94,14 +97,13 @@ int print(const Complaint& complaint, const Console& console) {
     if (!complaint.instead.is_null()) {
         document["instead"] = complaint.instead;
     }
-    console.document(json_text({{"error", document}}));
-    return complaint.code;
+    return {complaint.code, document};
 }
 
-} // namespace
-
 int complain_about_current(const Console& console) {
-    return print(current_complaint(console.has_color()), console);
+    const ReportedError error = report_current_error(console);
+    console.document(json_text({{"error", error.json}}));
+    return error.code;
 }
 
 } // namespace suffuse::apps

@@ -15,6 +15,7 @@
 
 #include "apps/alpha_of_run.hpp"
 #include "apps/assess_advice.hpp"
+#include "apps/complaint.hpp"
 #include "apps/exit_code.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
@@ -120,22 +121,23 @@ struct AssessVerb final : Verb {
     [[nodiscard]] int act(const CommandLine& line, const Console& console) const override;
 
     /// "table.csv --sample TP1 --by number": what names the first soil to another verb.
-    [[nodiscard]] std::string base_words() const {
+    [[nodiscard]] std::string base_words(const std::string& file) const {
         return fmt::format(
-            "{}{}{}", shell_word(case_of_run(files.front())), sample.empty() ? "" : " --sample " + shell_word(sample),
+            "{}{}{}", shell_word(case_of_run(file)), sample.empty() ? "" : " --sample " + shell_word(sample),
             reading.is_empty() ? "" : " " + gradings::command_words(reading)
         );
     }
 
-    /// What to type then.
-    [[nodiscard]] std::string
-    next_step(const std::vector<job::AssessedSoil>& soils, const stability::AssessSpec& spec) const {
+    /// What to type then. @param file of the first soil
+    [[nodiscard]] std::string next_step(
+        const std::string& file, const std::vector<job::AssessedSoil>& soils, const stability::AssessSpec& spec
+    ) const {
         if (soils.size() > 1) {
             return output.empty() ? "-o DIR draws the curves over each other, with a page for each soil"
                                   : "suffuse assess FILE shows one of them in full";
         }
-        return of_case(files.front()) ? advise_run(base_words())
-                                      : advise_new(soils.front().measured, base_words(), fines, spec.finer_than);
+        return of_case(file) ? advise_run(base_words(file))
+                             : advise_new(soils.front().measured, base_words(file), fines, spec.finer_than);
     }
 };
 
@@ -184,9 +186,42 @@ stability::AssessSpec spec_of(const AssessVerb& verb) {
     return spec;
 }
 
+/// Files of several that could not be read: each is reported, and the others are judged.
+struct UnreadFiles {
+    json errors = json::array();
+    int code = Done; ///< of the first
+
+    /// Reads one of the verb's files. Alone, it fails as any other.
+    template <class Read>
+    void reading(const AssessVerb& verb, const std::string& file, const Console& console, Read read) {
+        const auto report = [&] {
+            if (verb.files.size() == 1) {
+                throw;
+            }
+            ReportedError error = report_current_error(console);
+            error.json["file"] = file;
+            code = code == Done ? error.code : code;
+            errors.push_back(std::move(error.json));
+        };
+        try {
+            read();
+        } catch (const CaseError&) {
+            report();
+        } catch (const IoError&) {
+            report();
+        }
+    }
+
+    void add_to(json& document) const {
+        if (!errors.empty()) {
+            document["errors"] = errors;
+        }
+    }
+};
+
 /// A soil that is to be assessed.
 struct MeasuredSoil {
-    std::string name;
+    std::string file, name;
     fs::path folder;
     grains::Grading measured;
     stability::AssessSpec spec;
@@ -202,7 +237,7 @@ void add_case_soils(
         stability::AssessSpec own = with_alpha(verb, file, spec, of_other_case ? "" : name, console);
         own.finer_than = spec.finer_than ? spec.finer_than : soil.finer_than;
         soils.push_back(
-            {fmt::format("{}, soil {}", file, name), what.soils.size() > 1 ? name : "",
+            {file, fmt::format("{}, soil {}", file, name), what.soils.size() > 1 ? name : "",
              soil.measured ? *soil.measured : grains::specified_grading(soil), own}
         );
     }
@@ -211,23 +246,27 @@ void add_case_soils(
     }
 }
 
-/// All soils of all files, and how these were understood.
-std::vector<MeasuredSoil>
-read_all(const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks) {
+/// All soils of all files that can be read, and how these were understood.
+std::vector<MeasuredSoil> read_all(
+    const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks,
+    UnreadFiles& unread
+) {
     std::vector<MeasuredSoil> soils;
     for (const std::string& file : verb.files) {
         if (of_case(file)) {
-            add_case_soils(verb, file, spec, console, soils);
+            unread.reading(verb, file, console, [&] { add_case_soils(verb, file, spec, console, soils); });
             continue;
         }
-        gradings::GradingFile read = read_gradings_of(file, verb.sample, verb.reading);
+        gradings::GradingFile read;
+        unread.reading(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
         print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
         }
         for (gradings::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
-            soils.push_back({name, soil.name, std::move(soil.grading), with_alpha(verb, file, spec, "", console)});
+            soils.push_back({file, name, soil.name, std::move(soil.grading), with_alpha(verb, file, spec, "", console)}
+            );
         }
     }
     return soils;
@@ -290,8 +329,13 @@ json reading_json(const gradings::SheetReading& reading, const json& remarks) {
 /// Prints how each file is read.
 int show_readings(const AssessVerb& verb, const Console& console) {
     json soils = json::array(), remarks = json::array();
+    UnreadFiles unread;
     for (const std::string& file : verb.files) {
-        const gradings::GradingFile read = read_gradings_of(file, verb.sample, verb.reading);
+        gradings::GradingFile read;
+        unread.reading(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
+        if (read.soils.empty()) {
+            continue;
+        }
         print_remarks(read, console);
         console.result(fmt::format("{}{}", verb.files.size() > 1 ? file + "\n" : "", shown_reading(read)));
         json of_file = json::array();
@@ -309,8 +353,10 @@ int show_readings(const AssessVerb& verb, const Console& console) {
         }
         remarks.insert(remarks.end(), of_file.begin(), of_file.end());
     }
-    console.document(json_text({{"soils", soils}, {"remarks", remarks}}));
-    return Done;
+    json document{{"soils", soils}, {"remarks", remarks}};
+    unread.add_to(document);
+    console.document(json_text(document));
+    return unread.code;
 }
 
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
@@ -322,17 +368,23 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     }
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks);
+    UnreadFiles unread;
+    const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks, unread);
+    if (verb.empty()) {
+        console.document(json_text({{"soils", list}, {"remarks", remarks}, {"errors", unread.errors}}));
+        return unread.code;
+    }
+    const std::string& first_file = verb.front().file;
     std::vector<job::AssessedSoil> soils = assess_all(verb);
     if (!filter.empty()) {
         add_filter(*this, console, soils);
     }
-    if (!filter.empty() && soils.size() == 1 && !of_case(files.front())) {
+    if (!filter.empty() && soils.size() == 1 && !of_case(first_file)) {
         const std::string of_sample =
             filter_sample.empty() ? "" : fmt::format(" {} {}", filter_sample_flag, shell_word(filter_sample));
         const std::string advice = advise_stack(
             soils.front().measured, soils.front().filter->measured,
-            fmt::format("{} --filter {}{}", base_words(), shell_word(filter), of_sample)
+            fmt::format("{} --filter {}{}", base_words(first_file), shell_word(filter), of_sample)
         );
         if (!advice.empty()) {
             console.talk(advice);
@@ -353,6 +405,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         }
     }
     json document{{"soils", list}, {"remarks", remarks}};
+    unread.add_to(document);
     if (are_many) {
         document["matrix"] = job::matrix_json(soils);
         if (has_folder) {
@@ -374,9 +427,9 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         }
     }
     console.result(text);
-    console.talk(next_step(soils, spec));
+    console.talk(next_step(first_file, soils, spec));
     console.document(json_text(document));
-    return Done;
+    return unread.code;
 }
 
 } // namespace
