@@ -63,12 +63,13 @@ std::optional<Figure> strength_before_and_after(
     figure.title = reported->holds_deviator() ? "Pore pressure that is borne, before and after the loss"
                                               : "The same test before and after the loss";
     const double before = std::round(borne.before.mean / 1e3), after = std::round(borne.after.mean / 1e3);
+    const std::string values = study::values_name(*reported->study, *reported->variant);
     figure.claim = fmt::format(
-        "{} {} from {} to {} kPa", reported->holds_deviator() ? "The pore pressure that is borne" : "Peak strength",
+        "{} {} from {} to {} kPa{}", reported->holds_deviator() ? "The pore pressure that is borne" : "Peak strength",
         after < before   ? "falls"
         : after > before ? "rises"
                          : "stays",
-        short_number(before, 4), short_number(after, 4)
+        short_number(before, 4), short_number(after, 4), values.empty() ? "" : ", " + values
     );
     figure.caption = fmt::format(
         "{} {} kPa before, {} kPa after{}.",

@@ -40,6 +40,14 @@ TEST(StrengthFigure, LaysTheTestBeforeAndAfterOverEachOtherSampleBySample) {
     EXPECT_EQ(figure.table.words("sample").back(), "sample 2");
     EXPECT_NE(figure.caption.find("Peak: 300 kPa before, 200 kPa after, means of 2 samples"), std::string::npos);
     EXPECT_TRUE(explain_figure(figure.id));
+    EXPECT_EQ(figure.claim, "Peak strength falls from 300 to 200 kPa");
+    study.sweep = {{"fines_content", {0.1, 0.2}}};
+    for (casefile::Variant& variant : variants) {
+        variant.values["fines_content"] = 0.2;
+    }
+    EXPECT_EQ(
+        strength_before_and_after({change}, stages).value().claim, "Peak strength falls from 300 to 200 kPa, FC 20 %"
+    ) << "which value of the sweep";
 }
 
 } // namespace
