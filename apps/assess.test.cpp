@@ -220,6 +220,10 @@ TEST_F(Assess, AFileThatCannotBeReadLeavesTheOthersJudged) {
     expect_in("suffuse new --psd dyke.csv", error); // what can be done with the one that is left
     EXPECT_EQ(call("bad.csv dyke.csv --show-reading --json"), 3);
     EXPECT_EQ(nlohmann::json::parse(out)["soils"].size(), 1U);
+    EXPECT_EQ(call("dyke.csv sand.csv --fines 0.18mm --json"), 0);
+    EXPECT_EQ(call("dyke.csv sand.csv --fines 0.13mm --json"), 3) << "the dyke has nothing that fine";
+    EXPECT_EQ(nlohmann::json::parse(out)["soils"][0]["soil"], "sand.csv");
+    EXPECT_EQ(nlohmann::json::parse(out)["errors"][0]["file"], "dyke.csv");
     EXPECT_EQ(call("bad.csv nowhere.csv --json"), 3);
     EXPECT_EQ(nlohmann::json::parse(out)["errors"].size(), 2U);
     EXPECT_EQ(call("dyke.csv sand.csv --json"), 0);

@@ -27,6 +27,7 @@
 #include "apps/verbs.hpp"
 #include <algorithm>
 #include <cctype>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -186,14 +187,14 @@ stability::AssessSpec spec_of(const AssessVerb& verb) {
     return spec;
 }
 
-/// Files of several that could not be read: each is reported, and the others are judged.
-struct UnreadFiles {
+/// Files of several that could not be read or judged: each is reported, and the others are judged.
+struct FailedFiles {
     json errors = json::array();
     int code = Done; ///< of the first
 
-    /// Reads one of the verb's files. Alone, it fails as any other.
-    template <class Read>
-    void reading(const AssessVerb& verb, const std::string& file, const Console& console, Read read) {
+    /// Works at one of the verb's files. Alone, it fails as any other.
+    template <class Work>
+    void attempt(const AssessVerb& verb, const std::string& file, const Console& console, Work work) {
         const auto report = [&] {
             if (verb.files.size() == 1) {
                 throw;
@@ -204,7 +205,7 @@ struct UnreadFiles {
             errors.push_back(std::move(error.json));
         };
         try {
-            read();
+            work();
         } catch (const CaseError&) {
             report();
         } catch (const IoError&) {
@@ -249,16 +250,16 @@ void add_case_soils(
 /// All soils of all files that can be read, and how these were understood.
 std::vector<MeasuredSoil> read_all(
     const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks,
-    UnreadFiles& unread
+    FailedFiles& failed
 ) {
     std::vector<MeasuredSoil> soils;
     for (const std::string& file : verb.files) {
         if (of_case(file)) {
-            unread.reading(verb, file, console, [&] { add_case_soils(verb, file, spec, console, soils); });
+            failed.attempt(verb, file, console, [&] { add_case_soils(verb, file, spec, console, soils); });
             continue;
         }
         gradings::GradingFile read;
-        unread.reading(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
+        failed.attempt(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
         print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
@@ -272,13 +273,31 @@ std::vector<MeasuredSoil> read_all(
     return soils;
 }
 
-std::vector<job::AssessedSoil> assess_all(const std::vector<MeasuredSoil>& verb) {
+/// What could be judged; of `measured` the same is kept.
+std::vector<job::AssessedSoil>
+assess_all(const AssessVerb& verb, std::vector<MeasuredSoil>& measured, const Console& console, FailedFiles& failed) {
     ThreadOption{}.apply();
-    std::vector<job::AssessedSoil> soils(verb.size());
-    run_side_by_side(verb.size(), thread_count(), [&](std::size_t k) {
-        soils[k] = {
-            verb[k].name, verb[k].folder, stability::assess_measured(verb[k].measured, verb[k].spec), verb[k].measured};
+    std::vector<job::AssessedSoil> soils(measured.size());
+    std::vector<std::exception_ptr> errors(measured.size());
+    run_side_by_side(measured.size(), thread_count(), [&](std::size_t k) {
+        const MeasuredSoil& soil = measured[k];
+        try {
+            soils[k] = {soil.name, soil.folder, stability::assess_measured(soil.measured, soil.spec), soil.measured};
+        } catch (const CaseError&) {
+            errors[k] = std::current_exception();
+        }
     });
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+        if (errors[k]) {
+            failed.attempt(verb, measured[k].file, console, [&] { std::rethrow_exception(errors[k]); });
+        } else {
+            std::swap(measured[kept], measured[k]);
+            std::swap(soils[kept++], soils[k]);
+        }
+    }
+    measured.resize(kept);
+    soils.resize(kept);
     return soils;
 }
 
@@ -329,10 +348,10 @@ json reading_json(const gradings::SheetReading& reading, const json& remarks) {
 /// Prints how each file is read.
 int show_readings(const AssessVerb& verb, const Console& console) {
     json soils = json::array(), remarks = json::array();
-    UnreadFiles unread;
+    FailedFiles failed;
     for (const std::string& file : verb.files) {
         gradings::GradingFile read;
-        unread.reading(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
+        failed.attempt(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
         if (read.soils.empty()) {
             continue;
         }
@@ -354,9 +373,9 @@ int show_readings(const AssessVerb& verb, const Console& console) {
         remarks.insert(remarks.end(), of_file.begin(), of_file.end());
     }
     json document{{"soils", soils}, {"remarks", remarks}};
-    unread.add_to(document);
+    failed.add_to(document);
     console.document(json_text(document));
-    return unread.code;
+    return failed.code;
 }
 
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
@@ -368,14 +387,14 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     }
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    UnreadFiles unread;
-    const std::vector<MeasuredSoil> verb = read_all(*this, spec, console, remarks, unread);
-    if (verb.empty()) {
-        console.document(json_text({{"soils", list}, {"remarks", remarks}, {"errors", unread.errors}}));
-        return unread.code;
+    FailedFiles failed;
+    std::vector<MeasuredSoil> measured = read_all(*this, spec, console, remarks, failed);
+    std::vector<job::AssessedSoil> soils = assess_all(*this, measured, console, failed);
+    if (soils.empty()) {
+        console.document(json_text({{"soils", list}, {"remarks", remarks}, {"errors", failed.errors}}));
+        return failed.code;
     }
-    const std::string& first_file = verb.front().file;
-    std::vector<job::AssessedSoil> soils = assess_all(verb);
+    const std::string& first_file = measured.front().file;
     if (!filter.empty()) {
         add_filter(*this, console, soils);
     }
@@ -392,20 +411,21 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     }
     const bool are_many = soils.size() > 1, is_picture = !wants_page && names_picture(output);
     const bool has_folder = !output.empty() && !wants_page && !is_picture;
-    const auto& seepage = verb.front().spec.seepage;
-    std::string text =
-        are_many ? job::matrix_text(soils, seepage) : job::text_of(soils.front(), verb.front().spec, terminal_width());
+    const auto& seepage = measured.front().spec.seepage;
+    std::string text = are_many ? job::matrix_text(soils, seepage)
+                                : job::text_of(soils.front(), measured.front().spec, terminal_width());
     for (std::size_t k = 0; k < soils.size(); ++k) {
-        list.push_back(job::soil_json(soils[k], verb[k].spec));
+        list.push_back(job::soil_json(soils[k], measured[k].spec));
         if (has_folder) {
             const fs::path folder = are_many ? fs::path(output) / folder_of(soils[k], k) : fs::path(output);
-            const std::string page = write_soil_page(soils[k], verb[k].spec, list.back(), folder, line.typed).string();
+            const std::string page =
+                write_soil_page(soils[k], measured[k].spec, list.back(), folder, line.typed).string();
             list.back()["written"] = page;
             text += are_many ? "" : "\n" + page;
         }
     }
     json document{{"soils", list}, {"remarks", remarks}};
-    unread.add_to(document);
+    failed.add_to(document);
     if (are_many) {
         document["matrix"] = job::matrix_json(soils);
         if (has_folder) {
@@ -429,7 +449,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     console.result(text);
     console.talk(next_step(first_file, soils, spec));
     console.document(json_text(document));
-    return unread.code;
+    return failed.code;
 }
 
 } // namespace
