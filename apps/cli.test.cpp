@@ -2,6 +2,7 @@
 
 #include "tests/support/program.hpp"
 #include "tests/support/reference.hpp"
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <sstream>
@@ -186,7 +187,17 @@ TEST_F(Cli, OpenShowsTheReportByTheDesktopsProgramOrSaysWhereItLies) {
 TEST_F(Cli, JsonIsOneDocumentInSuccessAndInFailure) {
     run_suffuse({"new", "a", "--from", "replay"});
     EXPECT_EQ(run_suffuse({"check", "a/case.toml", "--json"}).json().at("errors"), 0);
-    EXPECT_GT(run_suffuse({"schema", "--json"}).json().at("keys").size(), 50U);
+    const nlohmann::json keys = run_suffuse({"schema", "--json"}).json().at("keys");
+    EXPECT_GT(keys.size(), 50U);
+    const auto of = [&](const char* table, const char* name) -> const nlohmann::json& { // what a form needs
+        return *std::ranges::find_if(keys, [&](const auto& key) {
+            return key["table"] == table && key["name"] == name;
+        });
+    };
+    EXPECT_EQ(of("stage.oedometer", "axis").at("choices"), nlohmann::json({"x", "y", "z"}));
+    EXPECT_EQ(of("stage.oedometer", "stresses").at("is_list"), true);
+    EXPECT_EQ(of("stage.cyclic", "until").at("is_table"), true);
+    EXPECT_EQ(of("stage.cyclic", "cycles").at("is_table"), false);
     EXPECT_EQ(run_suffuse({"explain", "watch", "--json"}).json().at("topic"), "watch");
     const ProgramResult bad = run_suffuse({"check", "a/case.toml", "--set", "contact.shear_ratio=-1", "--json"});
     EXPECT_EQ(bad.code, 3);

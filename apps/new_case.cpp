@@ -46,6 +46,9 @@ std::vector<std::string> write_new(const std::vector<NewFile>& files) {
 }
 
 void print_next_steps(const fs::path& folder, const Console& console) {
+    if (console.wants_json()) { // programs read `written`
+        return;
+    }
     const std::string path = shell_word((folder / "case.toml").string());
     console.talk(fmt::format("next: suffuse check {}, suffuse plan {}, suffuse run {}", path, path, path));
 }

@@ -95,6 +95,7 @@ TEST_F(NewStack, OfABaseAndItsFilterOnlyWhatWasMeasuredIsModeled) {
     expect_in("left out of base, for its sizes were not measured: the 30 % finer than 0.2 mm", made.error);
     expect_in("left out of drain, for its sizes were not measured: the 4 % coarser than 1.1 mm", made.error);
     EXPECT_EQ(made.json().at("left_out").at("base"), "the 30 % finer than 0.2 mm");
+    EXPECT_EQ(made.error.find("next:"), std::string::npos) << made.error; // commands, which no program types
     expect_in("[%]\n0.2,30\n0.25,60\n0.3,100\n", read_all(folder / "stack/data/base.csv")); // as it was measured
     const std::string text = read_all(folder / "stack/case.toml");
     expect_in("sizes = [\"0.2 mm\", \"0.3 mm\"] #~ without the 30 % finer than 0.2 mm", text);

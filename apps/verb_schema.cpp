@@ -34,6 +34,9 @@ nlohmann::json key_json(const casefile::Key& key) {
         {"table", key.table},
         {"name", key.name},
         {"value", casefile::value_text(key)},
+        {"choices", key.choices},
+        {"is_list", key.is_list},
+        {"is_table", key.kind == casefile::ValueKind::Table},
         {"default", key.default_text},
         {"required", key.is_required},
         {"text", key.text}};

@@ -37,7 +37,7 @@ void answer_script(httplib::Response& response, const ProgramCall& call, const f
         {{"run", run.filename().string()},
          {"tasks", call.document.value("tasks", 0)},
          {"script", as_utf8(read_whole_file(script.string()))},
-         {"submit", call.talk.empty() ? "" : call.talk.front()}}
+         {"command", call.document.value("command", "")}}
     );
 }
 

@@ -162,3 +162,20 @@ test("one soil of a filter's sheet is chosen; a filter that cannot be read is na
   assert.equal(await page.isVisible("#filter-sample"), false);
   await context.close();
 });
+
+test("what was remarked on a file is shown while the curve is its own, and a case is announced without commands to type", async () => {
+  const { page, context, complaints } = await open();
+  await give(page, Buffer.from("Korngr\xf6\xdfe [mm];Durchgang [%]\n0.25;0\n0.4;20\n0.9;21\n1.5;100\n", "latin1"), "W5.csv");
+  await says(page, "remarks", "W5.csv: read as Windows-1252");
+  await says(page, "verdict", "criteria say");
+  await page.locator('#curve [data-point="2"]').focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction(() => !document.getElementById("remarks").textContent);
+  await page.click("#back");
+  await says(page, "remarks", "read as Windows-1252");
+  await page.click("text=Simulate this soil");
+  await says(page, "made", "grains in the preset quick");
+  assert.doesNotMatch(await text(page, "made"), /next:|suffuse run/);
+  assert.deepEqual(complaints, []);
+  await context.close();
+});

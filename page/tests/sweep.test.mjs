@@ -115,6 +115,7 @@ test("tasks for a cluster: the script to copy, and its samples gathered", async 
   await page.locator("#task-time").fill("1h");
   await page.click("#emit");
   await page.waitForFunction(() => document.getElementById("script").textContent.includes("#SBATCH --array=1-2"));
+  assert.match(await page.textContent("#script-run"), /^Tasks of cluster-0001\. Submit them in the studio's folder: s\S+ \S*cluster-0001/);
   await page.click("#copy");
   await page.waitForFunction(() => document.getElementById("copied").textContent);
   assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.textContent("#script"));

@@ -27,7 +27,7 @@ export class SceneView {
     this.choice = { state: 0, mode: "class", coarse: true, fines: true, chains: false, least: 1, paths: false, cell: true, size: 1, cut: "none", at: 0.5, flip: false, chosen: -1 };
     const canvas = document.createElement("canvas");
     const context = canvas.getContext("webgl2", { antialias: true, alpha: false });
-    if (!context) throw new Error("no WebGL 2");
+    if (!context) throw new Error("the browser has no WebGL 2");
     this.renderer = new WebGLRenderer({ canvas, context });
     this.software = isSoftware(rendererName(context));
     this.limit = this.software ? softwareLimit : Infinity;

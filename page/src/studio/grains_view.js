@@ -56,7 +56,7 @@ export class GrainsView {
       const fines = grains.fine.reduce((sum, one) => sum + one, 0);
       return say(`${nameOf(wanted.file)}: ${grains.id.length.toLocaleString("en")} grains${fines ? `, ${fines.toLocaleString("en")} of them fines, in red` : ""}.`);
     } catch (error) {
-      return say(error.message === "no WebGL 2" ? "This browser shows no 3D: it has no WebGL 2." : error.message);
+      return say(`No picture: ${error.message}`);
     }
   }
 

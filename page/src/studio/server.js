@@ -1,7 +1,7 @@
 // What the page requests of its server: forms in, JSON out.
 
 /** Without the folders in which the server keeps what was dropped: "curve/dam.csv:3" -> "dam.csv:3". */
-const plain = (text) => text.replace(/(^|[\s`])(?:curve|filter|record)\/(?=[\w.-])/g, "$1");
+export const plain = (text) => text.replace(/(^|[\s`])(?:curve|filter|record)\/(?=[\w.-])/g, "$1");
 
 /** An answer that is an error: what the program replied, and the problems with their lines. */
 export class Refused extends Error {

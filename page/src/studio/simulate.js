@@ -79,7 +79,7 @@ async function make(overwrites) {
     const wanted = wantedNow(), { result, talk } = await post("/api/new", wantedFields());
     if (!overwrites && editor.text && isOwnText()) return; // typed while the case was on its way
     trouble();
-    $("made").innerHTML = list(talk.filter((line) => !line.startsWith("next:")));
+    $("made").innerHTML = list(talk);
     const name = $("from").value || soil.curve.name.replace(/\.[^.]*$/, "");
     editor.take(result.case, result.files, name, { name, wanted, text: result.case });
   } catch (error) {

@@ -1,6 +1,6 @@
 // The tab Soil: a curve, how it was read, and what the criteria and the atlas say of it. All numbers are the server's.
 import { $, escaped, list, mm, numberIn, three, trouble } from "./words.js";
-import { afterChanges, post } from "./server.js";
+import { afterChanges, plain, post } from "./server.js";
 
 const { attach } = globalThis.CurveChart;
 
@@ -125,10 +125,10 @@ function forget() {
 /** Reads the file anew: its samples and their points. */
 const read = afterChanges(60, async (signal) => {
   try {
-    const { result, talk } = await post("/api/reading", { curve: { name: soil.name, blob: soil.blob }, ...readingFields() }, signal);
+    const { result } = await post("/api/reading", { curve: { name: soil.name, blob: soil.blob }, ...readingFields() }, signal);
     soil.samples = result.soils;
     soil.which = Math.min(soil.which, soil.samples.length - 1);
-    $("remarks").innerHTML = list(talk);
+    $("remarks").innerHTML = list(result.remarks.map(plain));
     trouble();
     choose(soil.which);
   } catch (error) {
@@ -229,7 +229,7 @@ function words(found) {
   return lines;
 }
 
-function show(found, talk) {
+function show(found) {
   soil.found = found;
   $("verdict").innerHTML = words(found).map((line) => `<span>${escaped(line)}</span>`).join("");
   const parts = [table("Criteria", ["criterion", "number", "verdict"], found.criteria.map(row))];
@@ -239,7 +239,6 @@ function show(found, talk) {
   const sizes = found.sizes;
   parts.push(`<p class="cap">${["d10", "d50", "d60"].map((size) => `${size} ${sizes[size] === null ? "?" : mm(sizes[size])}`).join(", ")} mm; Cu ${found.uniformity === null ? "?" : three(found.uniformity)}.</p>`);
   $("soil-results").innerHTML = parts.join("");
-  if (soil.curve.isEdited) $("remarks").innerHTML = list(talk.filter((line) => line.includes("W5")));
   draw();
 }
 
@@ -247,12 +246,13 @@ const assess = afterChanges(40, async (signal) => {
   const { curve } = soil;
   if (!curve) return;
   try {
-    const { result, talk } = await post("/api/assess", {
+    const { result } = await post("/api/assess", {
       ...curveFields(), ...conditionFields(), ...seepageFields(), "relative-density": numberIn("density"), ...filterFields(),
     }, signal);
     if (soil.curve !== curve) return; // of the soil before
     trouble();
-    show(result.soils[0], talk);
+    $("remarks").innerHTML = list(result.remarks.map(plain));
+    show(result.soils[0]);
   } catch (error) {
     if (error.name === "AbortError") throw error;
     if (soil.curve !== curve) return;

@@ -57,9 +57,9 @@ function write() {
   }
 }
 
-function showScript({ run, script, submit }) {
+function showScript({ run, script, command }) {
   $("script-part").hidden = false;
-  $("script-run").textContent = `Tasks of ${run}. ${submit.replace(/^run:\s*/, "Submit them in the studio's folder: ")}`;
+  $("script-run").textContent = `Tasks of ${run}. Submit them in the studio's folder: ${command}`;
   $("script").textContent = script;
   $("copied").textContent = "";
 }

@@ -7,20 +7,18 @@ const verbs = ["triaxial", "plane-strain", "oedometer", "isotropic", "shear", "c
 const ofComputation = new Set(["axis", "axes", "inertial_number", "inertia", "time_step", "rows"]);
 let keys = [], editor;
 
-const choicesOf = (value) => (value.startsWith("one of ") ? [...value.matchAll(/"([^"]*)"/g)].map((m) => m[1]) : null);
-const isList = (key) => key.value.startsWith("a list");
 const usual = (key) => key.default.replaceAll('"', "");
 
 function inputOf(key) {
-  const id = `test-key-${key.name}`, choices = choicesOf(key.value), about = `${id}-about`, rest = `id="${id}" data-key="${escaped(key.name)}" aria-describedby="${about}"`;
+  const id = `test-key-${key.name}`, choices = key.choices.length && !key.is_list ? key.choices : null, about = `${id}-about`, rest = `id="${id}" data-key="${escaped(key.name)}" aria-describedby="${about}"`;
   const input = choices
     ? `<select ${rest}><option value="">${key.default ? `as usual: ${escaped(usual(key))}` : "not given"}</option>${choices.map((choice) => `<option>${escaped(choice)}</option>`).join("")}</select>`
     : `<input ${rest} spellcheck="false" placeholder="${escaped(usual(key))}"${key.required ? " required" : ""}>`;
-  const form = choices ? "" : isList(key) ? " Several, with commas between them." : "";
+  const form = choices ? "" : key.is_list ? " Several, with commas between them." : "";
   return `<div class="in"><label for="${id}">${escaped(key.name.replaceAll("_", " "))}${key.required ? ", needed" : ""}</label>${input}<p id="${about}" class="cap">${escaped(key.text)} ${choices ? "" : `${escaped(key.value[0].toUpperCase() + key.value.slice(1))}.`}${form}</p></div>`;
 }
 
-const keysOfTest = () => keys.filter((key) => key.table === `stage.${$("test-verb").value}` && key.value !== "a table");
+const keysOfTest = () => keys.filter((key) => key.table === `stage.${$("test-verb").value}` && !key.is_table);
 
 /** The keys of the test that is chosen. */
 function showKeys() {
@@ -55,7 +53,7 @@ function add() {
     for (const key of keysOfTest()) {
       const value = $(`test-key-${key.name}`).value.trim();
       if (key.required && !value) throw new Error(`The test needs its ${key.name}.`);
-      if (value) entries.push([key.name, isList(key) ? listToml(value) : asToml(value)]);
+      if (value) entries.push([key.name, key.is_list ? listToml(value) : asToml(value)]);
     }
     const { text, line } = withStage(editor.text, $("test-study").value, stageText($("test-study").value, entries));
     editor.set(text);
