@@ -2,7 +2,7 @@
 import { $, escaped, list, three, trouble } from "./words.js";
 import { get, post } from "./server.js";
 import { calibrationText, dataName, targetName } from "./calibrate_text.js";
-import { soil } from "./soil.js";
+import { soil } from "./soil_form.js";
 
 const laws = {
   "hertz-mindlin": { fixed: [["modulus", "70 GPa"], ["poisson", "0.2"], ["rolling_stiffness", "7.5"]], modulus: ["1 GPa", "100 GPa"] },

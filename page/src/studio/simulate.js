@@ -7,7 +7,8 @@ import { calibrationLimits, connectCalibration } from "./calibrate_form.js";
 import { calibrates } from "./calibrate_text.js";
 import { filesByName } from "./case_text.js";
 import { connectTests, offerTests } from "./test_form.js";
-import { conditionFields, curveFields, filterFields, showSizes, soil, withUnit } from "./soil.js";
+import { showSizes } from "./soil.js";
+import { conditionFields, curveFields, filterFields, soil, withUnit } from "./soil_form.js";
 
 /** What is known of an example beyond its name. */
 export const titles = {
