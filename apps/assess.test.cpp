@@ -132,6 +132,7 @@ TEST_F(Assess, JsonHasTheKeysOfTheFormatsPage) {
     EXPECT_EQ(soil["criteria"][1]["id"], "kenney-lau-1986");
     EXPECT_EQ(soil["criteria"][1]["verdict"], "unstable");
     EXPECT_EQ(soil["criteria"][1]["sense"], "at-least");
+    EXPECT_EQ(soil["criteria"][1]["stable_if"], ">= 1");
     EXPECT_EQ(soil["criteria"].back()["verified"], false);
     for (const char* key :
          {"sizes", "uniformity", "finer_limit", "constrictions", "summary", "seepage", "gradients", "atlas"}) {

@@ -4,9 +4,9 @@ import { test } from "node:test";
 import { answerTables, curveNotes, verdictLines } from "../src/studio/soil_answer.js";
 import { columnsOf, tableOf, textOf } from "../src/studio/table_text.js";
 
-const criterion = { name: "K & L", remark: "at <d>", verified: true, value: 4, measured: null, limit: 1.3, upper: null, sense: "at-least", verdict: "stable" };
+const criterion = { name: "K & L", remark: "at <d>", verified: true, value: 4, measured: null, limit: 1.3, stable_if: ">= 1.3", verdict: "stable" };
 const found = {
-  tally: { stable: 1, transition: 0, unstable: 1 }, criteria: [criterion, { ...criterion, value: null, limit: null, verdict: "cannot say" }], gradients: [{ ...criterion, id: "terzaghi", value: 0.3, limit: 0.99 }],
+  tally: { stable: 1, transition: 0, unstable: 1 }, criteria: [criterion, { ...criterion, value: null, limit: null, stable_if: "", verdict: "cannot say" }], gradients: [{ ...criterion, id: "terzaghi", value: 0.3, limit: 0.99 }],
   seepage: { gradient: 0.3, flow: "up" }, sizes: { d10: null, d50: 1e-3, d60: 2e-3 }, uniformity: null, filter: null,
   atlas: [{ density: "loose", flow: "up", inside: true, wide_fines: false, porosity: 0.4, i1: 0.33, i10: null, i1_at_most: false, i10_at_most: false, size_ratio: 4, fines_content: 0.2 }],
 };

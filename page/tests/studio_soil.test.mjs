@@ -31,6 +31,21 @@ test("a curve that ends above its d10, with decimal commas, is judged: what is n
   await context.close();
 });
 
+test("limits are those of the terminal: what is stable at the limit itself, and what is not", async () => {
+  const { page, context } = await open();
+  await answered(page, gap);
+  writeFileSync(join(studio.folder, "gap.csv"), gap);
+  const lines = String(studio.suffuse("assess", "gap.csv", "-i", "0.3")).split("\n"), shown = await page.evaluate(() =>
+    [...document.querySelectorAll("#soil-results tr")].flatMap((row) => {
+      const limit = row.querySelector("td.n small")?.textContent;
+      return limit ? [[row.cells[0].firstChild.textContent.trim(), limit.replace("≥", ">=").replace("≤", "<=")]] : [];
+    }));
+  assert.equal(shown.length, 12);
+  for (const [name, limit] of shown) assert.ok(lines.some((line) => line.trim().startsWith(name) && line.includes(` ${limit} `)), `${name}: ${limit}`);
+  assert.deepEqual(shown.find(([name]) => name === "Chang and Zhang 2013"), ["Chang and Zhang 2013", "< 3"]);
+  await context.close();
+});
+
 test("what cannot be read has no answer, and no case", async () => {
   const { page, context } = await open();
   await answered(page, gap);

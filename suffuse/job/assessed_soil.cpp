@@ -28,6 +28,7 @@ json criterion_json(const Criterion& criterion) {
         {"limit", or_null(criterion.limit)},
         {"upper", or_null(criterion.upper)},
         {"sense", stability::name_of(criterion.sense)},
+        {"stable_if", stability::limit_text(criterion)},
         {"verdict", stability::verdict_word(criterion.verdict)},
         {"verified", criterion.verified},
         {"remark", criterion.remark},

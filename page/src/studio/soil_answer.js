@@ -3,9 +3,9 @@ import { escaped, mm, three } from "./words.js";
 
 const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"], transition: ["un", "~ transition"], holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"] };
 
-const limitText = (c) => (c.limit === null ? "" : c.upper !== null ? `${three(c.limit)} to ${three(c.upper)}` : `${c.sense === "at-most" ? "≤" : "≥"} ${three(c.limit)}`);
+const limitText = (c) => c.stable_if.replace(">=", "≥").replace("<=", "≤");
 const numberText = (c) => (c.value !== null ? three(c.value) : c.measured !== null ? `(${three(c.measured)})` : "–");
-const row = (c) => `<tr><td>${escaped(c.name)}${c.verified ? "" : " <small>unverified, not counted</small>"}<small>${escaped(c.remark ?? "")}</small></td><td class="n">${numberText(c)}<small>${limitText(c)}</small></td><td class="${sign[c.verdict]?.[0] ?? "un"}">${sign[c.verdict]?.[1] ?? escaped(c.verdict)}</td></tr>`;
+const row = (c) => `<tr><td>${escaped(c.name)}${c.verified ? "" : " <small>unverified, not counted</small>"}<small>${escaped(c.remark ?? "")}</small></td><td class="n">${numberText(c)}<small>${escaped(limitText(c))}</small></td><td class="${sign[c.verdict]?.[0] ?? "un"}">${sign[c.verdict]?.[1] ?? escaped(c.verdict)}</td></tr>`;
 const table = (title, head, rows) => `<h2>${title}</h2><div class="tw"><table><thead><tr>${head.map((h, k) => `<th${k === 1 ? ' class="n"' : ""}>${h}</th>`).join("")}</tr></thead><tbody>${rows.join("")}</tbody></table></div>`;
 
 function atlasTable(entries) {
