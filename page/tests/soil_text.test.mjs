@@ -11,9 +11,12 @@ const found = {
   atlas: [{ density: "loose", flow: "up", inside: true, wide_fines: false, porosity: 0.4, i1: 0.33, i10: null, i1_at_most: false, i10_at_most: false, size_ratio: 4, fines_content: 0.2 }],
 };
 
-test("bytes are decoded as the program does: UTF-8, else Windows-1252; what is no text is empty", () => {
+test("bytes are decoded as the program does: UTF-16 by its mark, UTF-8, else Windows-1252; what is no text is empty", () => {
   assert.equal(textOf(new TextEncoder().encode("d [µm]")), "d [µm]");
   assert.equal(textOf(Uint8Array.of(0xb5, 0xe9)), "µé");
+  assert.equal(textOf(Uint8Array.of(0xff, 0xfe, 100, 0, 0xb5, 0)), "dµ");
+  assert.equal(textOf(Uint8Array.of(0xfe, 0xff, 0, 100, 0, 0xb5)), "dµ");
+  assert.equal(textOf(Uint8Array.of(0xff, 0xfe, 100)), ""); // cut off
   assert.equal(textOf(Uint8Array.of(100, 0, 1)), "");
   assert.equal(textOf(new Uint8Array(200_001).fill(100)), "");
 });

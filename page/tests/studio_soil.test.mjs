@@ -142,6 +142,23 @@ test("the curve as given brings back the table as given, and a Windows-1252 shee
   await context.close();
 });
 
+test("the Unicode text of a spreadsheet is read as by the terminal, shown decoded, and edited", async () => {
+  const { page, context, complaints } = await open();
+  const table = "Siebgröße [mm]\tDurchgang [%]\r\n8,0\t100,0\r\n2,0\t44,5\r\n1,0\t21,0\r\n0,25\t17,5\r\n0,063\t0\r\n";
+  const little = Buffer.from(`\ufeff${table}`, "utf16le"), big = Buffer.from(little).swap16();
+  for (const bytes of [little, big]) {
+    await give(page, bytes, "unicode.txt");
+    await says(page, "reading", "unicode.txt: sizes: Siebgröße [mm], in mm");
+    assert.equal(await page.inputValue("#table"), table.replaceAll("\r", ""));
+    writeFileSync(join(studio.folder, "unicode.txt"), bytes);
+    assert.match(String(studio.suffuse("assess", "unicode.txt", "--show-reading")), /0\.25 mm +17\.5 %/);
+    await page.locator("#table").fill((await page.inputValue("#table")).replace("17,5", "18"));
+    await says(page, "printed-points", "0.25 mm 18 %");
+  }
+  assert.deepEqual(complaints, []);
+  await context.close();
+});
+
 test("a file that changes on disk keeps its answer until it is chosen again", async () => {
   const { page, context, complaints } = await open();
   const file = join(studio.folder, "changing.csv"), browser = await context.newCDPSession(page); // Playwright itself sends copies

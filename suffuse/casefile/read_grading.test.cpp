@@ -123,7 +123,8 @@ TEST(ReadGrading, ErrorsNameFileLineValueAndExpectation) {
         {"E506", 1, 1, "the first line names the columns", "Borehole 3\nfoo,bar\n0.1,0\n0.2,100\n"},
         {"E506", 1, 1, "`passing` is missing", "d,note\n0.2,good\n"},
         {"E506", 1, 1, "is a pressure", "d [kPa],passing\n0.2,100\n"},
-        {"E100", 0, 0, "UTF-16", "\xFF\xFE"},
+        {"E505", 0, 0, "empty", "\xFF\xFE"},
+        {"E100", 0, 0, "UTF-16", "\xFF\xFE\x64"},
         {"E100", 1, 3, "zero bytes", std::string("d,\0", 3)},
     };
     for (const WrongGrading& wrong : wrongs) {

@@ -95,6 +95,24 @@ TEST(ReadGrading, AFileOfOneSoilMustHaveTheNameToo) {
     EXPECT_NE(read("d [mm],passing [%]\n" + rows, "TP1").find("names no sample"), std::string::npos);
 }
 
+TEST(ReadGrading, Utf16OfEitherOrderIsReadAndAFileThatEndsWithinASignIsRefused) {
+    const std::u16string text = u"Sample,d [mm],Durchgang [%]\n\U0001F3D6\u00f6,0.2,0\n\U0001F3D6\u00f6,2,100\n";
+    for (const bool is_big : {false, true}) {
+        std::string bytes = is_big ? "\xFE\xFF" : "\xFF\xFE";
+        for (const char16_t unit : text) {
+            const auto high = static_cast<char>(unit >> 8U), low = static_cast<char>(unit & 0xFFU);
+            bytes += is_big ? std::string{high, low} : std::string{low, high};
+        }
+        const ParsedSheet parsed = parse_sheet(bytes);
+        ASSERT_EQ(parsed.soils.size(), 1U) << render(parsed.remarks);
+        EXPECT_EQ(parsed.soils.front().sample, "\U0001F3D6\u00f6");
+        expect_soil({"", {{0.2, 0}, {2, 100}}}, parsed.soils.front(), "utf16");
+        bytes.pop_back();
+        EXPECT_NE(render(parse_sheet(bytes).remarks).find("UTF-16 text that is cut off"), std::string::npos);
+    }
+    EXPECT_TRUE(parse_sheet("\xFF\xFE\x3c\xd8\x41\x42").soils.empty()); // half of a pair
+}
+
 /// Where each cell's column was counted from the start of its line, 32,000 columns took a minute: these would take
 /// hours.
 TEST(ReadGrading, ATableOfFourHundredThousandColumnsIsRefused) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,8 +26,6 @@ constexpr std::array kinds{
     Kind{"PK\x03\x04", "a workbook (.xlsx or .ods) or another packed file", save_as_csv},
     Kind{"\xD0\xCF\x11\xE0", "a workbook of the old kind (.xls)", save_as_csv},
     Kind{"%PDF", "a PDF page", "type its table into a CSV file: a line for each sieve, its size and percent passing"},
-    Kind{"\xFF\xFE", "UTF-16 text", "save it as UTF-8"},
-    Kind{"\xFE\xFF", "UTF-16 text", "save it as UTF-8"},
 };
 
 /// What Windows-1252 has from 0x80 to 0x9F; 0 where it has nothing.
@@ -41,15 +40,37 @@ unsigned code_of(unsigned char byte) {
 }
 
 void append_utf8(std::string& text, unsigned code) {
-    if (code < 0x80) {
-        text += static_cast<char>(code);
-    } else if (code < 0x800) {
-        text += {static_cast<char>(0xC0U | (code >> 6U)), static_cast<char>(0x80U | (code & 0x3FU))};
-    } else {
-        text +=
-            {static_cast<char>(0xE0U | (code >> 12U)), static_cast<char>(0x80U | ((code >> 6U) & 0x3FU)),
-             static_cast<char>(0x80U | (code & 0x3FU))};
+    constexpr std::array firsts{0x00U, 0xC0U, 0xE0U, 0xF0U};
+    const unsigned more = code < 0x80 ? 0 : code < 0x800 ? 1 : code < 0x10000 ? 2 : 3; // bytes behind the first
+    text += static_cast<char>(firsts[more] | (code >> (6 * more)));
+    for (unsigned k = more; k-- > 0;) {
+        text += static_cast<char>(0x80U | ((code >> (6 * k)) & 0x3FU));
     }
+}
+
+bool is_utf16(std::string_view bytes) {
+    return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
+/// UTF-16 in the order of its mark, as spreadsheets save "Unicode text". Empty where a sign is cut off.
+std::optional<std::string> decode_utf16(std::string_view bytes) {
+    const std::size_t high = bytes.starts_with("\xFE\xFF") ? 0 : 1; // which byte of a unit
+    const auto byte = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U; };
+    const auto unit = [&](std::size_t at) { return (byte(at + high) << 8U) | byte(at + 1 - high); };
+    std::string text;
+    for (std::size_t at = 2; at < bytes.size(); at += 2) {
+        unsigned code = unit(at);
+        if (code >= 0xD800 && code < 0xE000) { // the first of a pair
+            at += 2;
+            const unsigned low = unit(at);
+            if (code >= 0xDC00 || low < 0xDC00 || low >= 0xE000) {
+                return std::nullopt;
+            }
+            code = 0x10000U + ((code - 0xD800U) << 10U) + (low - 0xDC00U);
+        }
+        append_utf8(text, code);
+    }
+    return bytes.size() % 2 == 0 ? std::optional(text) : std::nullopt;
 }
 
 bool is_utf8(std::string_view text) {
@@ -96,7 +117,14 @@ std::shared_ptr<const Source> decode_sheet(const std::shared_ptr<const Source>& 
         }
     }
     auto decoded = std::make_shared<Source>(*source);
-    if (!is_utf8(decoded->text) && may_be_windows(decoded->text)) {
+    if (is_utf16(source->text)) {
+        const auto text = decode_utf16(source->text);
+        if (!text) {
+            problems.error("E100", {source, 0, 0, 1}, "the file is UTF-16 text that is cut off", "save it again");
+            return nullptr;
+        }
+        decoded->text = *text;
+    } else if (!is_utf8(decoded->text) && may_be_windows(decoded->text)) {
         std::string text;
         for (const char c : decoded->text) {
             append_utf8(text, code_of(static_cast<unsigned char>(c)));

@@ -1,6 +1,6 @@
 #pragma once
-// The text of a table as a laboratory sends it: UTF-8 or Windows-1252, with whatever ends its lines. What is no text, a
-// workbook above all, is named as what it is.
+// The text of a table as a laboratory sends it: UTF-8, UTF-16 with its byte order mark, or Windows-1252, with whatever
+// ends its lines. What is no text, a workbook above all, is named as what it is.
 
 #include "suffuse/base/diagnostics.hpp"
 

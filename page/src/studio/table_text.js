@@ -1,17 +1,18 @@
 // Tables of gradings as text: the bytes of a file decoded, the columns of a table, a curve as a table.
 
-/** The text of a file as the program decodes it: what is not UTF-8 is Windows-1252. Empty where it is none, or too long to edit. */
+/** The text of a file as the program decodes it: UTF-16 by its mark, else UTF-8, else Windows-1252. Empty where it is none, or too long to edit. */
 export function textOf(bytes) {
   const most = 200_000;
   if (bytes.byteLength > most) return "";
-  const decoded = (encoding) => new TextDecoder(encoding, { fatal: encoding === "utf-8" }).decode(bytes);
-  let text;
-  try {
-    text = decoded("utf-8");
-  } catch {
-    text = decoded("windows-1252");
+  const [first, second] = new Uint8Array(bytes), marked = { 0xfffe: "utf-16le", 0xfeff: "utf-16be" }[256 * first + second];
+  for (const encoding of marked ? [marked] : ["utf-8", "windows-1252"]) {
+    try {
+      const text = new TextDecoder(encoding, { fatal: true }).decode(bytes);
+      return text.includes("\0") ? "" : text;
+    } catch { // another encoding
+    }
   }
-  return text.includes("\0") ? "" : text;
+  return "";
 }
 
 /** Columns of a table, for the choice: the number of each, and its heading. */
