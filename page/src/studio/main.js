@@ -50,7 +50,7 @@ document.addEventListener("drop", (event) => {
   $("drop").classList.remove("over");
   if (event.dataTransfer.files.length) takeDropped([...event.dataTransfer.files]);
 });
-connectSoil();
+connectSoil(() => $("simulate").hidden || openSimulate());
 connectSimulate();
 connectRuns();
 connectSweep();

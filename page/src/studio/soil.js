@@ -3,9 +3,11 @@ import { $, escaped, list, numberIn, trouble } from "./words.js";
 import { afterChanges, plain, post } from "./server.js";
 import { answerTables, curveMarks, curveNotes, pointsText, verdictLines } from "./soil_answer.js";
 import { conditionFields, curveFields, filterFields, filterName, readingFields, readingIds, seepageFields, showIgnored, soil } from "./soil_form.js";
+import { keepFile, keepForm, keptFile, restoreForm } from "./kept_soil.js";
 import { columnsOf, tableOf, textOf } from "./table_text.js";
 
 const { attach } = globalThis.CurveChart;
+let chosen = () => {}; // is called with each new curve
 
 function offerColumns(text) {
   const options = columnsOf(text).map((c) => `<option value="${c.number}">${c.number}${c.heading ? `: ${escaped(c.heading)}` : ""}</option>`).join("");
@@ -25,7 +27,7 @@ function readAsFound() {
 export async function takeSoil(file) {
   try {
     const bytes = await file.arrayBuffer();
-    Object.assign(soil, { name: file.name, blob: new Blob([bytes]), text: textOf(bytes), samples: [], which: 0 });
+    Object.assign(soil, { name: file.name, blob: new Blob([bytes]), text: textOf(bytes), samples: [], which: 0, edits: null });
   } catch {
     forget();
     trouble(new Error(`${file.name} cannot be read. If it was changed or moved, choose it again.`));
@@ -54,6 +56,7 @@ function forget() {
 
 /** Reads the file anew: its samples and their points. */
 const read = afterChanges(60, async (signal) => {
+  keepFile("soil", soil);
   try {
     const { result } = await post("/api/reading", { curve: { name: soil.name, blob: soil.blob }, ...readingFields() }, signal);
     soil.samples = result.soils;
@@ -73,9 +76,10 @@ const read = afterChanges(60, async (signal) => {
 function choose(which) {
   soil.which = which;
   const given = soil.samples[which];
-  $("table").value = soil.text; // where the curve was edited, the table was as well
   soil.found = null;
-  soil.curve = { name: given.soil || soil.name, d: [...given.diameter], f: [...given.passing], isEdited: false };
+  soil.curve = { name: given.soil || soil.name, d: [...given.diameter], f: [...given.passing], isEdited: false, ...soil.edits };
+  soil.edits = null;
+  $("table").value = soil.curve.isEdited ? tableOf(soil.curve, 6) : soil.text; // where the curve was edited, the table was as well
   $("sample-row").hidden = soil.samples.length < 2;
   $("sample").innerHTML = soil.samples.map((s, k) => `<option value="${k}">${escaped(s.soil)}</option>`).join("");
   $("sample").value = String(which);
@@ -83,6 +87,7 @@ function choose(which) {
   $("reading").textContent = `${soil.name}: sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}, in ${shareUnit}`;
   draw();
   assess();
+  chosen();
 }
 
 const chart = attach($("curve"), {
@@ -136,6 +141,7 @@ const assess = afterChanges(40, async (signal) => {
 /** The other soil, which is to hold this one. Null: none. */
 async function takeFilter(file) {
   soil.filter = null;
+  keepFile("filter", {});
   $("no-filter").hidden = !file;
   $("filter-sample-row").hidden = true;
   $("filter-name").textContent = file ? "Reading …" : "";
@@ -143,6 +149,7 @@ async function takeFilter(file) {
     if (file) {
       const blob = new Blob([await file.arrayBuffer()]), { result } = await post("/api/reading", { curve: { name: file.name, blob } });
       soil.filter = { name: file.name, blob, samples: result.soils };
+      keepFile("filter", soil.filter);
       const { size, unit, share, kind } = result.soils[0].reading;
       $("filter-name").textContent = `${file.name}: sizes: ${size || "no heading"}, in ${unit}; shares: ${share || "no heading"}, read as ${kind}`;
       $("filter-sample").innerHTML = result.soils.map((s) => `<option value="${escaped(s.soil)}">${escaped(s.soil)}</option>`).join("");
@@ -160,7 +167,21 @@ export function showSizes(sizes) {
   if (soil.curve) draw();
 }
 
-export function connectSoil() {
+/** What was here before the page was loaded again. */
+async function restore() {
+  const file = keptFile("soil"), filter = keptFile("filter");
+  if (file) await takeSoil(file); // and reads it after the fields are filled in
+  const { which = 0, edits = null, filterSample } = restoreForm();
+  Object.assign(soil, { which, edits });
+  showIgnored();
+  if (!filter) return;
+  await takeFilter(filter);
+  $("filter-sample").value = filterSample;
+}
+
+/** @param changed is called with each new curve */
+export function connectSoil(changed) {
+  chosen = changed;
   for (const id of ["file", "filter-file"]) $(id).addEventListener("click", () => { $(id).value = ""; }); // the same file may have changed
   $("file").addEventListener("change", () => { const file = $("file").files[0]; if (file) takeSoil(file); });
   $("table").addEventListener("paste", ({ target: { selectionStart, selectionEnd, value } }) => {
@@ -170,6 +191,7 @@ export function connectSoil() {
     soil.name ||= "pasted.csv";
     soil.text = $("table").value;
     soil.blob = new Blob([soil.text]);
+    soil.edits = null;
     offerColumns(soil.text);
     read();
   });
@@ -185,5 +207,10 @@ export function connectSoil() {
   $("filter-sample").addEventListener("change", assess);
   $("no-filter").addEventListener("click", () => { $("filter-file").value = ""; takeFilter(null); });
   window.addEventListener("resize", () => soil.curve && draw());
+  window.addEventListener("pagehide", () => {
+    const { which, curve } = soil;
+    keepForm({ which, edits: curve?.isEdited ? curve : null, filterSample: $("filter-sample").value });
+  });
+  restore();
   for (const form of document.forms) form.addEventListener("submit", (event) => event.preventDefault());
 }

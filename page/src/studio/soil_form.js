@@ -2,8 +2,8 @@
 import { $, numberIn } from "./words.js";
 import { tableOf } from "./table_text.js";
 
-/** The soil as given, and as edited. */
-export const soil = { name: "", blob: null, text: "", samples: [], which: 0, curve: null, found: null, filter: null, sizes: null };
+/** The soil as given, and as edited; `edits` are those of a curve that is still to be read. */
+export const soil = { name: "", blob: null, text: "", samples: [], which: 0, curve: null, edits: null, found: null, filter: null, sizes: null };
 
 /** Of the form, how the file is read. */
 export const readingIds = ["size-column", "size-unit", "amount-column", "amount-kind", "by", "sheet", "rows"];
