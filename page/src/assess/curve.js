@@ -100,7 +100,7 @@ globalThis.CurveChart = (() => {
       const x = ((event.clientX - box.left) / box.width) * plot.width, y = ((event.clientY - box.top) / box.height) * plot.height;
       move(held, event.shiftKey ? x : null, y);
     });
-    svg.addEventListener("pointerup", () => { held = null; });
+    svg.addEventListener("lostpointercapture", () => { held = null; }); // let go, or taken by the browser
     svg.addEventListener("keydown", (event) => {
       const point = Number(event.target.dataset?.point), step = { ArrowUp: 0.01, ArrowDown: -0.01 }[event.key];
       if (step === undefined || Number.isNaN(point)) return;

@@ -9,7 +9,7 @@ const laws = {
   "linear-rolling": { fixed: [["modulus", "300 MPa"], ["shear_ratio", "0.42"], ["rolling_stiffness", "7.5"]], modulus: ["50 MPa", "2 GPa"] },
 };
 const sought = (law) => [["contact.modulus", ...laws[law].modulus, true], ["contact.friction", "18 deg", "45 deg", false], ["contact.rolling_friction", "0.02", "0.6", false], ["void_ratio", "0.55", "0.8", false]];
-let editor, records = []; // { name, file, kind, contraction, found }
+let editor, reading = Promise.resolve(), records = []; // { name, file, kind, contraction, found }
 let drawn = []; // the rows of the tests: { id, key }
 const unread = new Map(); // files by their names, until the form says how to read them
 
@@ -102,7 +102,7 @@ async function readRecord(file) {
   throw first;
 }
 
-async function take(files) {
+async function readAll(files) {
   $("calibrate-reading").textContent = "Reading …";
   const failures = [];
   for (const given of files) {
@@ -121,6 +121,9 @@ async function take(files) {
   $("calibrate-reading").textContent = unread.size ? `Not read: ${[...unread.keys()].join(", ")}. Choose what they are, or whether contraction is positive in them.` : "";
   drawRecords();
 }
+
+/** Reads files when those before are read: what is said of a file last counts. */
+const take = (files) => { reading = reading.then(() => readAll(files())).catch(trouble); };
 
 const lastRow = (place) => place.lastElementChild.querySelector("input");
 
@@ -205,14 +208,18 @@ export function connectCalibration(caseEditor) {
   offerLaw();
   $("calibration").addEventListener("toggle", () => $("calibration").open && learnKeys()); // they are needed only then
   $("calibrate-files").addEventListener("click", () => { $("calibrate-files").value = ""; }); // the same files may have changed
-  $("calibrate-files").addEventListener("change", () => take([...$("calibrate-files").files]));
+  $("calibrate-files").addEventListener("change", () => {
+    const files = [...$("calibrate-files").files];
+    take(() => files);
+  });
   $("calibrate-drop").addEventListener("drop", (event) => {
     event.preventDefault();
     event.stopPropagation(); // the page takes what is dropped elsewhere as a grading
     $("drop").classList.remove("over");
-    if (event.dataTransfer.files.length) take([...event.dataTransfer.files]);
+    const files = [...event.dataTransfer.files];
+    if (files.length) take(() => files);
   });
-  for (const id of ["calibrate-kind", "calibrate-contraction"]) $(id).addEventListener("change", () => take([...records.map((record) => record.file), ...unread.values()]));
+  for (const id of ["calibrate-kind", "calibrate-contraction"]) $(id).addEventListener("change", () => take(() => [...records.map((record) => record.file), ...unread.values()]));
   $("calibrate-records").addEventListener("click", (event) => {
     if (event.target.dataset.drop === undefined) return;
     records.splice(Number(event.target.dataset.drop), 1);

@@ -61,11 +61,12 @@ export class CaseEditor {
 
   /** Numbers of the lines, those with problems marked; and the problems. */
   showProblems(problems) {
-    const lines = this.text.split("\n").length, marked = new Map(problems.map((p) => [p.line, p.kind]));
+    const lines = this.text.split("\n").length, isHere = (p) => p.file === "case.toml" && p.line > 0; // not in its data
+    const marked = new Map(problems.filter(isHere).map((p) => [p.line, p.kind]));
     this.at("numbers").innerHTML = Array.from({ length: lines }, (_, k) => (marked.has(k + 1) ? `<b class="${marked.get(k + 1)}">${k + 1}</b>` : `${k + 1}`)).join("\n");
     this.at("case").rows = lines + 1;
     this.at("problems").innerHTML = problems.map((p) =>
-      `<li class="${p.kind === "error" ? "no" : "un"}">${p.line > 0 ? `<button type="button" data-line="${p.line}">line ${p.line}</button>` : ""}${escaped(p.message)}${p.help ? `; ${escaped(p.help)}` : ""}</li>`).join("");
+      `<li class="${p.kind === "error" ? "no" : "un"}">${isHere(p) ? `<button type="button" data-line="${p.line}">line ${p.line}</button>` : p.line > 0 ? `${escaped(p.file)}, line ${p.line}: ` : ""}${escaped(p.message)}${p.help ? `; ${escaped(p.help)}` : ""}</li>`).join("");
   }
 
   goToLine(number) {
@@ -86,7 +87,10 @@ export class CaseEditor {
 
   /** Checks the case and prices it. */
   async check(signal) {
-    if (!this.text.trim()) return;
+    if (!this.text.trim()) {
+      this.showPlan(null);
+      return;
+    }
     this.at("price").textContent = "…";
     try {
       const checked = await post("/api/check", this.fields(), signal);

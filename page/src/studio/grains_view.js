@@ -39,7 +39,7 @@ export class GrainsView {
   }
 
   async look() {
-    const { run } = this, say = (text) => { this.place.querySelector("p").textContent = text; };
+    const { run } = this, turn = this.turn = {}, say = (text) => { this.place.querySelector("p").textContent = text; };
     try {
       const pictures = (await get(`${runPath(run)}/pictures`)).result;
       this.offer(pictures.map((picture) => picture.file));
@@ -50,13 +50,13 @@ export class GrainsView {
       const response = await fetch(`/runs/${encodeURIComponent(run)}/${wanted.file.split("/").map(encodeURIComponent).join("/")}`);
       if (!response.ok) throw new Error("the picture is gone");
       const grains = readGrains(await response.arrayBuffer());
-      if (run !== this.run) return undefined;
+      if (run !== this.run || turn !== this.turn) return undefined; // another state was chosen meanwhile
       this.show(sceneOf(grains, nameOf(wanted.file)));
       this.shown = key;
       const fines = grains.fine.reduce((sum, one) => sum + one, 0);
       return say(`${nameOf(wanted.file)}: ${grains.id.length.toLocaleString("en")} grains${fines ? `, ${fines.toLocaleString("en")} of them fines, in red` : ""}.`);
     } catch (error) {
-      return say(`No picture: ${error.message}`);
+      return turn === this.turn && say(`No picture: ${error.message}`);
     }
   }
 

@@ -43,9 +43,14 @@ function takeDropped(files) {
   else takeSoil(files[0]);
 }
 
-document.addEventListener("dragover", (event) => { event.preventDefault(); $("drop").classList.add("over"); });
+document.addEventListener("dragover", (event) => {
+  if (!event.dataTransfer?.types.includes("Files")) return; // text is moved as elsewhere
+  event.preventDefault();
+  $("drop").classList.add("over");
+});
 document.addEventListener("dragleave", () => $("drop").classList.remove("over"));
 document.addEventListener("drop", (event) => {
+  if (!event.dataTransfer?.types.includes("Files")) return;
   event.preventDefault();
   $("drop").classList.remove("over");
   if (event.dataTransfer.files.length) takeDropped([...event.dataTransfer.files]);

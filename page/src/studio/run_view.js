@@ -73,7 +73,7 @@ export class RunView {
       if (this.name !== name) return;
       trouble(error);
       if (error.status === 404) this.place.innerHTML = `<p class="cap">${escaped(`There is no run ${name} in this folder (any more).`)}</p>`;
-      if (error.status === 0) this.timer = setTimeout(() => this.poll(), 5000); // a server that comes back
+      if (!error.status) this.timer = setTimeout(() => this.poll(), 5000); // a server that comes back
     }
   }
 
@@ -202,12 +202,13 @@ export class RunView {
         await this.show(name);
         this.changed();
       }
+      button.disabled = what === "stop"; // a run that saves itself takes its time
     } catch (error) {
       trouble(error);
       printed.textContent = "";
+      button.disabled = false;
       if (this.name === name && error.status) await this.poll(); // another tab or program has changed it
     }
-    if (what !== "stop") button.disabled = false; // a run that saves itself takes its time
   }
 
   find(what) {

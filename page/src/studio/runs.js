@@ -4,7 +4,7 @@ import { get } from "./server.js";
 import { compareRuns } from "./compare_view.js";
 import { RunView } from "./run_view.js";
 
-let runs = [], chosen = new Set(), view, current = "";
+let runs = [], chosen = new Set(), view, current = "", comparison;
 
 const matches = (run, words) => {
   const text = [run.name, run.title, run.state, ...run.verdict].join(" ").toLowerCase();
@@ -41,12 +41,16 @@ export async function loadRuns() {
 async function compare() {
   const [one, other] = [...chosen];
   showNone();
+  const own = comparison = {}; // until a run is opened, or other two are compared
   draw();
   $("run").innerHTML = "<p class=\"cap\">Comparing …</p>";
   try {
-    $("run").innerHTML = await compareRuns(one, other);
+    const differences = await compareRuns(one, other);
+    if (comparison !== own) return;
+    $("run").innerHTML = differences;
     trouble();
   } catch (error) {
+    if (comparison !== own) return;
     $("run").innerHTML = "";
     trouble(error);
   }
@@ -71,6 +75,7 @@ export function openRuns(name) {
   loadRuns();
   if (name === current) return;
   current = name;
+  comparison = null;
   if (name) view.show(name);
   else showNone();
   draw();

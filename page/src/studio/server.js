@@ -47,8 +47,8 @@ export function afterChanges(milliseconds, act) {
   let timer, current;
   return () => {
     clearTimeout(timer);
+    current?.abort();
     timer = setTimeout(async () => {
-      current?.abort();
       current = new AbortController();
       try {
         await act(current.signal);

@@ -77,11 +77,10 @@ function adviceOn(error) {
 async function make(overwrites) {
   $("make").disabled = true;
   try {
-    const wanted = wantedNow(), { result, talk } = await post("/api/new", wantedFields());
+    const wanted = wantedNow(), name = $("from").value || soil.curve?.name.replace(/\.[^.]*$/, ""), { result, talk } = await post("/api/new", wantedFields());
     if (!overwrites && editor.text && isOwnText()) return; // typed while the case was on its way
     trouble();
     $("made").innerHTML = list(talk);
-    const name = $("from").value || soil.curve.name.replace(/\.[^.]*$/, "");
     editor.take(result.case, result.files, name, { name, wanted, text: result.case });
   } catch (error) {
     trouble(error);
@@ -162,6 +161,7 @@ export function connectSimulate() {
   $("case-drop").addEventListener("drop", (event) => {
     event.preventDefault();
     event.stopPropagation(); // the page takes what is dropped elsewhere as a grading
+    $("drop").classList.remove("over");
     if (event.dataTransfer.files.length) openCase([...event.dataTransfer.files]);
   });
 }

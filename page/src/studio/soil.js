@@ -8,6 +8,7 @@ import { columnsOf, tableOf, textOf } from "./table_text.js";
 
 const { attach } = globalThis.CurveChart;
 let chosen = () => {}; // is called with each new curve
+let filterWanted; // the last one that was chosen
 
 function offerColumns(text) {
   const options = columnsOf(text).map((c) => `<option value="${c.number}">${c.number}${c.heading ? `: ${escaped(c.heading)}` : ""}</option>`).join("");
@@ -140,6 +141,7 @@ const assess = afterChanges(40, async (signal) => {
 
 /** The other soil, which is to hold this one. Null: none. */
 async function takeFilter(file) {
+  const own = filterWanted = {};
   soil.filter = null;
   keepFile("filter", {});
   $("no-filter").hidden = !file;
@@ -148,6 +150,7 @@ async function takeFilter(file) {
   try {
     if (file) {
       const blob = new Blob([await file.arrayBuffer()]), { result } = await post("/api/reading", { curve: { name: file.name, blob } });
+      if (own !== filterWanted) return;
       soil.filter = { name: file.name, blob, samples: result.soils };
       keepFile("filter", soil.filter);
       const { size, unit, share, kind } = result.soils[0].reading;
@@ -156,6 +159,7 @@ async function takeFilter(file) {
       $("filter-sample-row").hidden = result.soils.length < 2;
     }
   } catch (error) {
+    if (own !== filterWanted) return;
     $("filter-name").textContent = `${file.name} cannot be read, so there is no filter: ${error.problems?.[0]?.message ?? error.message}`;
   }
   assess();

@@ -48,7 +48,7 @@ async function takeCase() {
 function write() {
   try {
     if (!sweepLine(rows())) throw new Error("Name a key and its values, with commas between them.");
-    const replicates = $("sweep-replicates").value, wanted = rows().filter((row) => row.key).reduce((n, row) => n * valuesOf(row.values).length, Number(replicates) || 1);
+    const replicates = $("sweep-replicates").value, wanted = rows().filter((row) => row.key && valuesOf(row.values).length).reduce((n, row) => n * valuesOf(row.values).length, Number(replicates) || 1);
     editor.set(withSweep(editor.text, $("sweep-study").value, rows(), replicates));
     $("sweep-written").textContent = `Written into the case: ${wanted} samples.${replicates && /^\s*\[presets\.[\w-]+\]\s*\n\s*replicates/m.test(editor.text) ? " A preset of this case sets replicates itself; choose another preset, or change it in the text." : ""}`;
     trouble();
@@ -128,6 +128,7 @@ async function compare() {
   $("sweep-differences").innerHTML = "";
   try {
     await view.compareWith(other);
+    if ($("sweep-other").value !== other) return;
     trouble();
     if (other) $("sweep-differences").innerHTML = `<details><summary>Every number that differs</summary></details>`;
   } catch (error) {
@@ -168,7 +169,7 @@ export async function openSweep(name) {
 }
 
 export function connectSweep() {
-  view = new SweepView($("sweep-live"), loadNames);
+  view = new SweepView($("sweep-live"), () => (view.name ? loadNames() : (location.hash = "#sweep")));
   editor = new CaseEditor("sweep-", planned, offer);
   addRow("contact.friction", "20 deg, 30 deg, 37 deg");
   get("/api/examples").then(({ result }) => {

@@ -28,19 +28,30 @@ export class SweepView extends RunView {
   }
 
   show(name) {
-    this.stage = "";
-    this.numbers = null;
-    this.other = null;
+    if (name !== this.name) {
+      this.stage = "";
+      this.numbers = null;
+      this.other = null;
+      this.compared = "";
+    }
+    this.latest = null;
     this.drawn = "";
     return super.show(name);
+  }
+
+  close() {
+    this.latest = null;
+    super.close();
   }
 
   /** Compares it with another run; with none for "". */
   async compareWith(name) {
     this.other = null;
+    this.compared = name;
     if (name) {
       const run = await get(runPath(name)), measured = new Map();
       await measure(run, measured);
+      if (this.compared !== name) return; // another one was chosen meanwhile
       this.other = { name, samples: samplesOf(run), measured };
     }
     if (this.latest) this.body(this.latest.run, this.latest.facts);
