@@ -184,14 +184,18 @@ std::string names_of(const std::vector<NamedGrading>& soils) {
     );
 }
 
-/// The specified sample, whatever its capitals.
+/// The specified sample; where none is called exactly so, whatever its capitals.
 NamedGrading choose(const std::vector<NamedGrading>& soils, const std::string& sample, const std::string& file) {
     std::vector<std::string> names;
     for (const NamedGrading& soil : soils) {
         names.push_back(soil.name.empty() ? soil.sample : soil.name);
-        if (edit_distance(names.back(), sample) == 0) {
-            return soil;
-        }
+    }
+    auto found = std::ranges::find(names, sample);
+    if (found == names.end()) {
+        found = std::ranges::find_if(names, [&](const std::string& name) { return edit_distance(name, sample) == 0; });
+    }
+    if (found != names.end()) {
+        return soils[static_cast<std::size_t>(found - names.begin())];
     }
     if (names.size() == 1 && names.front().empty()) {
         throw CaseError(

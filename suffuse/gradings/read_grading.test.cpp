@@ -63,6 +63,8 @@ TEST(ReadGrading, OneSampleIsChosenByNameAndAWrongNameIsAnsweredWithThoseThereAr
     const GradingFile one = read_gradings(source, CurveEnds::MayBeOpen, "tp2");
     ASSERT_EQ(one.soils.size(), 1U);
     EXPECT_EQ(one.soils.front().name, "TP2");
+    const auto capitals = std::make_shared<Source>(Source{"c.csv", "d [mm],A,a\n0.2,0,0\n0.5,20,70\n2,100,100\n"});
+    EXPECT_EQ(read_gradings(capitals, CurveEnds::MayBeOpen, "a").soils.front().grading.passing[1], 0.7);
     try {
         read_gradings(source, CurveEnds::MayBeOpen, "TP7");
         FAIL();
