@@ -259,3 +259,13 @@ test("a reload keeps the soil, how it is read, its conditions, its filter and an
   assert.equal(await text(page, "verdict"), "Drop a grading, or paste one.");
   await context.close();
 });
+
+test("the scale of sizes has several numbers, also on a phone and below the first decade", async () => {
+  for (const viewport of [{ width: 1440, height: 900 }, { width: 390, height: 844 }]) {
+    const { page, context } = await open("", { viewport });
+    await answered(page, gap);
+    const sizes = await page.evaluate(() => [...document.querySelectorAll("#curve text.m:not(.s)")].map((label) => label.textContent));
+    assert.deepEqual(sizes, ["0.2", "0.5", "1", "2"]);
+    await context.close();
+  }
+});

@@ -39,10 +39,11 @@ globalThis.CurveChart = (() => {
     for (let f = 0; f <= 1.001; f += 0.2) {
       parts.push(`<path class="gr" d="M${left} ${s.y(f)}H${width - right}"/><text class="e" x="${left - 8}" y="${s.y(f) + 4.5}">${Math.round(100 * f)} %</text>`);
     }
-    for (let e = Math.ceil(s.from - 1e-9); e <= s.to; ++e) {
-      for (const step of plot === shapes.narrow ? [1] : [1, 2, 5]) {
+    const steps = plot === shapes.narrow && s.to - s.from > 2 ? [1] : [1, 2, 5];
+    for (let e = Math.floor(s.from); e <= s.to; ++e) {
+      for (const step of steps) {
         const d = step * 10 ** e;
-        if (Math.log10(d) > s.to) continue;
+        if (Math.log10(d) < s.from || Math.log10(d) > s.to) continue;
         parts.push(`<path class="ax" d="M${s.x(d)} ${height - bottom}v5"/><text class="m" x="${s.x(d)}" y="${height - bottom + 20}">${Number((1e3 * d).toPrecision(1))}</text>`);
       }
     }

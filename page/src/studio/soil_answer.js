@@ -6,14 +6,14 @@ const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "
 const limitText = (c) => c.stable_if.replace(">=", "≥").replace("<=", "≤");
 const numberText = (c) => (c.value !== null ? three(c.value) : c.measured !== null ? `(${three(c.measured)})` : "–");
 const row = (c) => `<tr><td>${escaped(c.name)}${c.verified ? "" : " <small>unverified, not counted</small>"}<small>${escaped(c.remark ?? "")}</small></td><td class="n">${numberText(c)}<small>${escaped(limitText(c))}</small></td><td class="${sign[c.verdict]?.[0] ?? "un"}">${sign[c.verdict]?.[1] ?? escaped(c.verdict)}</td></tr>`;
-const table = (title, head, rows) => `<h2>${title}</h2><div class="tw"><table><thead><tr>${head.map((h, k) => `<th${k === 1 ? ' class="n"' : ""}>${h}</th>`).join("")}</tr></thead><tbody>${rows.join("")}</tbody></table></div>`;
+const table = (title, head, rows, numbers = [1]) => `<h2>${title}</h2><div class="tw"><table><thead><tr>${head.map((h, k) => `<th${numbers.includes(k) ? ' class="n"' : ""}>${h}</th>`).join("")}</tr></thead><tbody>${rows.join("")}</tbody></table></div>`;
 
 function atlasTable(entries) {
   if (!entries?.length) return "";
   const number = (value, atMost) => (Number.isFinite(value) ? `${atMost ? "≤ " : ""}${three(value)}` : "–");
   const rows = entries.map((e) => `<tr><td>${escaped(e.density)}, flow ${escaped(e.flow)}<small>${e.inside ? `porosity ${three(e.porosity)}` : "outside the atlas"}</small></td><td class="n">${number(e.i1, e.i1_at_most)}</td><td class="n">${number(e.i10, e.i10_at_most)}</td></tr>`);
   const { size_ratio: ratio, fines_content: content } = entries[0];
-  return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows)}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
+  return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows, [1, 2])}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
 }
 
 /** The answer in a few sentences. */
