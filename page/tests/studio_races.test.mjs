@@ -30,10 +30,10 @@ async function hold(page, path) {
       resolve();
     }, { times: 1 });
   });
-  return async () => {
+  return async (heard = 1500) => {
     release();
     await seen;
-    await page.waitForTimeout(1500);
+    await page.waitForTimeout(heard); // [ms]
   };
 }
 
@@ -97,10 +97,12 @@ test("of two states in 3D the one that was chosen last is shown", async () => {
   const state = (words) => page.waitForFunction((w) => document.querySelector("#run .grains p").textContent.startsWith(w), words);
   await state("a: 2 grains");
   const answer = await hold(page, "**/studies/b.vtp");
+  const requested = page.waitForRequest("**/studies/b.vtp");
   await page.selectOption("#run .grains select", "studies/b.vtp");
+  await requested;
   await page.selectOption("#run .grains select", "studies/a.vtp");
-  await answer();
-  await state("a: 2 grains");
+  await answer(300); // before the next look
+  assert.match(await page.textContent("#run .grains p"), /^a: 2 grains/);
   await context.close();
 });
 
@@ -153,11 +155,15 @@ test("a record is what was chosen last", async () => {
   await give(page, "axial strain [%],deviator stress [kPa],void ratio\n0,0,0.7\n1,50,0.69\n2,90,0.68\n", "test.csv", "#calibrate-files");
   await says(page, "calibrate-records", "test.csv: triaxial");
   const answer = await hold(page, "**/api/record");
+  const requested = page.waitForRequest("**/api/record");
   await page.selectOption("#calibrate-kind", "oedometer");
+  await requested;
   await page.selectOption("#calibrate-kind", "triaxial");
+  await page.waitForTimeout(1000); // in which it would be read, if it did not wait
   await answer();
   await page.waitForFunction(() => !document.getElementById("calibrate-reading").textContent);
   assert.match(await text(page, "calibrate-records"), /test\.csv: triaxial/);
+  assert.equal(await page.isVisible("#trouble"), false); // what was said of it as an oedometer test is over
   await context.close();
 });
 
