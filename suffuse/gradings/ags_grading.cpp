@@ -120,10 +120,16 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
     std::vector<SievedSoil> soils;
     std::map<std::string, std::size_t> index;
     bool is_good = true;
+    const SheetRow* not_used = nullptr;
+    std::size_t unused = 0;
     for (const SheetRow* row : group.data) {
         const auto diameter =
             read_sieve_size(text_at(*row, *size), scale == SizeScale::Unknown ? SizeScale::Millimeters : scale, false);
         const auto passing = plain_number(text_at(*row, *share), false);
+        if (diameter && is_blank(text_at(*row, *share))) {
+            not_used = not_used == nullptr ? row : not_used, ++unused;
+            continue;
+        }
         if (!diameter || !passing) {
             problems.error(
                 "E502", place_at(*row, diameter ? *share : *size),
@@ -143,6 +149,12 @@ std::optional<std::vector<SievedSoil>> read_ags(const std::shared_ptr<const Sour
         }
         soils[found->second].sieves.push_back(
             {diameter->diameter, *passing / 100, place_at(*row, *size), place_at(*row, *share), true}
+        );
+    }
+    if (not_used != nullptr) {
+        problems.warning(
+            sheet_remark, not_used->place,
+            fmt::format("rows without a GRAT_PERP, {} from here on: skipped as not used", unused)
         );
     }
     for (SievedSoil& soil : soils) { // rows of AGS have no order: those of sieves and hydrometer run as each may

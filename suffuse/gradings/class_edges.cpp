@@ -93,13 +93,23 @@ bool weigh_by_size(const SievedSoil& soil, std::vector<GradingPoint>& points, Pr
         );
         return false;
     }
+    const double last = rising.back()->diameter, ratio = last / rising[rising.size() - 2]->diameter;
+    if (rising.back()->passing < 1 - 1e-9) {
+        problems.warning(
+            sheet_remark, rising.back()->passing_place,
+            fmt::format(
+                "{:.4g} % of the number of grains are coarser than {:.6g} mm: {:.6g} mm is assumed to bound them",
+                100 * (1 - rising.back()->passing), 1e3 * last, 1e3 * last * ratio
+            ),
+            "add the size that all grains pass: their mass depends on it"
+        );
+    }
     const auto mean_mass = [](double fine, double coarse) { return std::pow(fine * coarse, 1.5); };
     std::vector<double> masses{0};
     for (std::size_t k = 1; k < rising.size(); ++k) {
         const GradingPoint &fine = *rising[k - 1], &coarse = *rising[k];
         masses.push_back(masses.back() + (coarse.passing - fine.passing) * mean_mass(fine.diameter, coarse.diameter));
     }
-    const double last = rising.back()->diameter, ratio = last / rising[rising.size() - 2]->diameter;
     const double all = masses.back() + (1 - rising.back()->passing) * mean_mass(last, last * ratio);
     for (std::size_t k = 0; k < rising.size(); ++k) {
         rising[k]->passing = all > 0 ? masses[k] / all : 0;

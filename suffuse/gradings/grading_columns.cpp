@@ -2,8 +2,10 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/gradings/column_content.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/soil_columns.hpp"
+#include "suffuse/gradings/unnamed_shares.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -135,6 +137,13 @@ private:
         const auto highest = std::ranges::max_element(ranks); // of a header, which has one
         const auto best = static_cast<std::size_t>(highest - ranks.begin());
         found_.size = {best, headings_[best].scale};
+        if (headings_[best].scale != SizeScale::Phi && mentions(Topic::NoDiameter, spaced_words(name_of(best)))) {
+            problems_.error(
+                "E506", header_->cells[best].place, fmt::format("`{}` are no diameters", name_of(best)),
+                "write diameters, twice the radius, and no logarithms: in a column `d [mm]`"
+            );
+            return false;
+        }
         for (std::size_t k = best + 1; k < headings_.size(); ++k) {
             if (ranks[k] == *highest && !take_bounds(best, k)) {
                 complain_about_two(best, k, "keep one of the two columns, or rename the other so that it is ignored");
@@ -221,6 +230,7 @@ private:
             const std::string name = soils.size() > 1 ? soil.name : "";
             const Heading& heading = headings_[k];
             found_.shares.push_back({k, {}, name, heading.meaning, heading.unit, true, heading.mass_unit});
+            found_.shares.back().counts_grains = heading.counts_grains;
         }
         return true;
     }
@@ -315,12 +325,12 @@ private:
         if (std::ranges::any_of(candidates, has_unit)) { // "class" next to "freq. (%)"
             std::erase_if(candidates, std::not_fn(has_unit));
         }
+        std::erase_if(candidates, [this](std::size_t k) { return is_index(sheet_, found_.first_row, k, name_of(k)); });
         const auto columns = find_share_columns(sheet_, found_.first_row, found_.size, candidates);
         for (const auto& [k, amounts] : columns) {
-            const bool is_split = has_unit(k) && !headings_[k].rest.empty();
-            const std::string& name = is_split ? headings_[k].rest : header_->cells[k].text;
-            found_.shares.push_back({k, {}, name, ShareMeaning::Unstated, headings_[k].unit, false});
+            add_unnamed(k, ShareMeaning::Unstated);
         }
+        add_soils_with_odd_cells(candidates, columns);
         if (found_.shares.empty()) {
             problems_.error(
                 "E506", header_->place,
@@ -332,6 +342,36 @@ private:
         remark_on_meaning(std::ranges::all_of(columns, [](const auto& column) { return is_cumulative(column.second); })
         );
         return true;
+    }
+
+    void add_unnamed(std::size_t k, ShareMeaning meaning) {
+        const bool is_split = headings_[k].unit != ShareUnit::Unknown && !headings_[k].rest.empty();
+        const std::string& name = is_split ? headings_[k].rest : text_at(*header_, k);
+        found_.shares.push_back({k, {}, name, meaning, headings_[k].unit, false});
+        found_.shares.back().counts_grains = headings_[k].counts_grains;
+    }
+
+    /// No soil is dropped because one of its cells is wrong: the cell is an error.
+    void add_soils_with_odd_cells(
+        const std::vector<std::size_t>& candidates, const std::vector<std::pair<std::size_t, Amounts>>& columns
+    ) {
+        const auto are_all = [&columns](bool PossibleMeanings::*kind) {
+            return !columns.empty() && std::ranges::all_of(columns, [kind](const auto& column) {
+                return find_possible_meanings(column.second).*kind;
+            });
+        };
+        const bool pass = are_all(&PossibleMeanings::passing);
+        if (!pass && !are_all(&PossibleMeanings::cumulative_retained)) {
+            return;
+        }
+        const ShareMeaning meaning = pass ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained;
+        for (const std::size_t k : candidates) {
+            const auto amounts = amounts_in(sheet_, found_.first_row, found_.size, k);
+            const bool is_good = amounts && may_be_shares(find_possible_meanings(*amounts));
+            if (!is_good && is_soil_but_for_cells(sheet_, found_.first_row, found_.size, k, meaning)) {
+                add_unnamed(k, meaning);
+            }
+        }
     }
 
     void remark_on_meaning(bool are_cumulative) {

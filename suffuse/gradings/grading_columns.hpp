@@ -33,6 +33,7 @@ struct ShareColumn {
     ShareUnit unit = ShareUnit::Unknown;
     bool is_named = true; ///< false: what it means was found in its numbers
     const char* mass_unit = "g";
+    bool counts_grains = false; ///< shares of their number, not of their mass
     bool is_of_largest =
         false; ///< cumulative masses without a pan or total are shares of the largest: the user says so
 };

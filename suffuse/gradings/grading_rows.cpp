@@ -2,6 +2,7 @@
 
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/column_content.hpp"
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/table_cells.hpp"
 
 #include <fmt/format.h>
@@ -140,6 +141,7 @@ private:
         }
         if (!take_bound(row, *size) && (size->diameter != 0 || !take_zero(row))) {
             take_amounts(row, [&](const ShareColumn& share, double amount, SievedSoil& soil) {
+                check_pan_above(soil, size->diameter);
                 soil.end = row.place;
                 soil.sieves.push_back(
                     {size->diameter, amount, place_at(row, columns_.size.index), place_at(row, share.index),
@@ -261,8 +263,34 @@ private:
         return has_none;
     }
 
+    /// A pan between two sieves: a part of what it holds was sieved on, and its masses are not of the whole sample.
+    void check_pan_above(const SievedSoil& soil, double diameter) {
+        const auto pan = inner_pans_.find(soil.name);
+        if (pan == inner_pans_.end()) {
+            return;
+        }
+        const auto [finest, coarsest] = std::ranges::minmax(soil.sieves, {}, &SieveRow::diameter);
+        if (diameter < finest.diameter || diameter > coarsest.diameter) {
+            cells_.complain(
+                pan->second.place,
+                fmt::format(
+                    "`{}` holds what passed, and the sieve of {:.6g} mm comes after it: was a part of it riffled and "
+                    "sieved on?",
+                    pan->second.text, 1e3 * diameter
+                ),
+                "give masses of the whole sample: multiply those of the part by the mass of this line over that of the "
+                "part, and leave this line out"
+            );
+            inner_pans_.erase(pan);
+        }
+    }
+
     void read_pan(const SheetRow& row, const std::string& word) {
+        const bool is_washed = mentions(Topic::Washing, spaced_words(word));
         take_amounts(row, [&](const ShareColumn& share, double amount, SievedSoil& soil) {
+            if (keeps(share.meaning) && amount != 0 && !soil.sieves.empty() && !is_washed) {
+                inner_pans_.try_emplace(soil.name, SheetCell{word, row.place});
+            }
             // what was washed away and what lies in the pan are two parts of one
             const bool is_own = share.meaning == ShareMeaning::OnSieve || is_open(share.meaning);
             soil.pan = is_own ? soil.pan.value_or(0) + amount : std::max(soil.pan.value_or(0), amount);
@@ -329,6 +357,7 @@ private:
     TableCells cells_;
     std::vector<SievedSoil> soils_;
     std::map<std::string, std::size_t> index_;
+    std::map<std::string, SheetCell> inner_pans_; ///< of each soil, the first one below a sieve
     std::vector<std::string> skipped_, key_;
     Place skipped_place_;
     bool has_reported_merged_ = false;

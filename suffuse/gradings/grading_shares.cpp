@@ -36,7 +36,12 @@ bool is_weighed_or_counted(const SievedSoil& soil) {
 /// Whether its pan is "< 0.063" or a size of 0: not where grains pass these sizes.
 const SieveRow* find_bound(const SievedSoil& soil) {
     const auto count = std::ranges::count_if(soil.sieves, &SieveRow::is_bound);
-    return count == 1 && soil.sieves.size() > 1 ? &*std::ranges::find_if(soil.sieves, &SieveRow::is_bound) : nullptr;
+    const bool may_be = count == 1 && soil.sieves.size() > 1;
+    const SieveRow* const bound = may_be ? &*std::ranges::find_if(soil.sieves, &SieveRow::is_bound) : nullptr;
+    const bool has_finer = may_be && std::ranges::any_of(soil.sieves, [bound](const SieveRow& sieve) {
+                               return sieve.diameter < bound->diameter;
+                           });
+    return has_finer ? nullptr : bound;
 }
 
 Amounts amounts_of(SievedSoil& soil, bool with_bound_as_pan) {
@@ -300,7 +305,9 @@ bool divide_by_most(SievedSoil& soil, Problems& problems) {
 bool divide_by_whole(SievedSoil& soil, Problems& problems) {
     if (soil.unit == ShareUnit::Count) {
         soil.pan = soil.pan.value_or(0); // stones that are smaller were not picked
-        remark_on_count(soil, problems);
+        if (!soil.is_by_number) {
+            remark_on_count(soil, problems);
+        }
     }
     return soil.meaning == ShareMeaning::Passing ? divide_by_most(soil, problems) : divide_by_total(soil, problems);
 }

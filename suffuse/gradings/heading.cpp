@@ -1,5 +1,6 @@
 #include "suffuse/gradings/heading.hpp"
 
+#include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet.hpp"
 
@@ -90,18 +91,45 @@ private:
     std::array<bool, static_cast<std::size_t>(Role::Filler) + 1> is_there_{};
 };
 
+/// What stands between two words of a name, as written; a blank for any number of them.
+std::string between(std::string_view text) {
+    std::string kept;
+    for (const char c : text) {
+        const bool is_blank = c == ' ' || c == '\t';
+        if (!is_blank || kept.empty() || kept.back() != ' ') {
+            kept += is_blank ? ' ' : c;
+        }
+    }
+    return kept;
+}
+
 /// What has none is the heading's rest.
 Roles read_roles(const std::string& named, Heading& heading) {
     Roles roles;
+    std::size_t end = std::string::npos; // of the word of the rest right before
     for (const std::string_view written : split_words(named, " \t_.,:;/()[]=\"'")) {
         const std::string word = plain_word(written);
         if (const auto role = role_of(word)) {
             roles.add(*role);
+            end = std::string::npos;
         } else if (!word.empty()) {
-            heading.rest += fmt::format("{}{}", heading.rest.empty() ? "" : " ", written);
+            const auto begin = static_cast<std::size_t>(written.data() - named.data());
+            const bool follows = end != std::string::npos && !heading.rest.empty();
+            heading.rest += follows ? between(named.substr(end, begin - end)) : heading.rest.empty() ? "" : " ";
+            heading.rest += written;
+            end = begin + written.size();
         }
     }
     return roles;
+}
+
+/// "finer by number (%)", "Q0 [%]", but "% passing number 200", which is a sieve.
+bool counts_grains(const Roles& roles, std::string_view text) {
+    constexpr std::string_view number = " number ";
+    const std::string words = spaced_words(text);
+    const std::size_t at = words.find(number);
+    const bool is_sieve = at != std::string::npos && is_digit(words[at + number.size()]);
+    return mentions(Topic::Counted, words) && !is_sieve && !roles.has(Role::Sieve) && !roles.has(Role::Sample);
 }
 
 /// Masses of sieves, with soil or empty.
@@ -179,10 +207,20 @@ std::string plain_words(std::string_view text) {
     return plain;
 }
 
+std::string spaced_words(std::string_view text) {
+    std::string words = " ";
+    const std::string plain = plain_words(text);
+    for (const std::string_view word : split_words(plain, " ")) {
+        words += fmt::format("{} ", word);
+    }
+    return words;
+}
+
 Heading read_heading(std::string_view text) {
     Heading heading;
     const std::string named = cut_unit(text, heading);
     const Roles roles = read_roles(named, heading);
+    heading.counts_grains = counts_grains(roles, text);
     if (roles.has(Role::Percent)) {
         heading.unit = ShareUnit::Percent;
     } else if (roles.has(Role::Fraction) && heading.unit == ShareUnit::Unknown) {

@@ -39,6 +39,7 @@ struct Heading {
     bool is_bare_mass = false;      ///< "Mass (g)": of what the sieve keeps, unless sieves were weighed
     bool names_sieve_alone = false; ///< "std sieve": its name, where another column may have its opening
     bool is_length_alone = false;   ///< "L, cm": nothing but its unit says that it is a size
+    bool counts_grains = false;     ///< "finer by number (%)": no share of their mass
     const char* mass_unit = "g";
     std::string own_unit; ///< in brackets, as written
     std::string rest;     ///< the words that say none of this: the name of a sample, as written
@@ -48,6 +49,9 @@ Heading read_heading(std::string_view text);
 
 /// Small letters of the Latin alphabet alone: accents dropped, everything else a blank.
 std::string plain_words(std::string_view text);
+
+/// Likewise, with one blank between words and one at each end.
+std::string spaced_words(std::string_view text);
 
 /// The longest part of a heading that is a size, as in "% passing #4" and "Passing 0.075 mm (%)"; empty where it names
 /// no share, or no size.

@@ -176,12 +176,17 @@ constexpr auto topics = std::to_array<Words<Topic>>({
     {Topic::Loss,
      "loss,lost,wash,washed,washing,fines,perte,perdida,perdita,lavage,lavado,lavaggio,abgeschlammt,material"},
     {Topic::Washing, "wash ,washed ,washing ,lavage ,lavado ,lavaggio ,abschlammen ,abgeschlammt "},
-    {Topic::Mass, "mass,masse,weight,poids,peso,massa,masa,einwaage,trockenmasse,gesamtmasse,trockengewicht"},
+    {Topic::Mass, "mass,masse,weight,wt ,poids,peso,massa,masa,einwaage,trockenmasse,gesamtmasse,trockengewicht"},
     {Topic::WholeSample,
-     "dry,total,initial,sech,sec ,seco,seca,secca,secco,trocken,gesamt,specimen,sample,einwaage,echantillon"},
+     "dry,total,initial,sech,sec ,seco,seca,secca,secco,trocken,gesamt,specimen,sample,test ,einwaage,echantillon"},
     {Topic::OtherMass, "after,wash,wet ,moist,apres,lava,nach "
                        ",despues,dopo,humid,humed,umid,feucht,container,tare,tara,dish,moisture,water,sieve ,retained"},
-    {Topic::Before, "before"},
+    {Topic::Before, "before,avant ,vor ,antes ,prima "},
+    {Topic::Drying, "drying,sechage,trocknen,trocknung,secado,secagem,essicc"},
+    {Topic::Counted, "number ,count ,counts ,anzahl,nombre ,numero ,conteo ,q0 "},
+    {Topic::NoDiameter, "radius ,radii ,rayon ,halbmesser,radio ,raggio ,log ,log10 ,lg ,ln "},
+    {Topic::Index, "no,nr,num,number,numero,s,sl,sr,serial,index,idx,id,row,line,item,lfd,zeile,ligne,fila"},
+    {Topic::Part, "table ,tabelle ,tableau ,tabla ,part ,teil ,partie ,page ,seite ,sheet ,blatt ,step ,fig"},
     {Topic::Hydrometer, "hydromet,sediment,areomet,araomet,schlamm,densimet,pipett"},
     {Topic::Units, "in,en,unit,units,unite,unites,einheit,einheiten,unidad,unidades,unita"},
     {Topic::TotalSample, "total ,totale ,gesamt ,whole "},
@@ -191,7 +196,8 @@ constexpr auto topics = std::to_array<Words<Topic>>({
     {Topic::AstmSieves, "astm,e11 ,us mesh,us sieve,us stand,us std,us series,usa stand,u s mesh,u s sieve,u s "
                         "stand,mesh us ,sieve us ,sieve no us "},
     {Topic::OtherSieves,
-     "bs mesh,bs sieve,bs test,bs stand,bs410,bs 410,bs 1377,bss ,british mesh,british sieve,british stand,british "
+     "bs mesh,bs sieve,b s mesh,b s sieve,b s test,b s stand,bs no ,no bs ,tyler no ,no tyler,bs test,bs "
+     "stand,bs410,bs 410,bs 1377,bss ,british mesh,british sieve,british stand,british "
      "test,mesh bs ,sieve bs ,sieves bs ,sieve no bs ,tyler mesh,tyler sieve,tyler screen,tyler stand,tyler "
      "series,mesh tyler,sieve tyler,sieves tyler,sieve no tyler"},
     {Topic::Mesh, "mesh"},

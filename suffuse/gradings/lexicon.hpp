@@ -62,6 +62,11 @@ enum class Topic {
     WholeSample,
     OtherMass, ///< not that of the dry sample
     Before,
+    Drying,     ///< what was weighed before was wet
+    Counted,    ///< grains, not their mass
+    NoDiameter, ///< a size that is none
+    Index,      ///< of a row, and no share
+    Part,       ///< of a report: its number names no soil
     Hydrometer,
     Units,        ///< what a title says of them
     TotalSample,  ///< "% finer total" next to "% finer -#10"

@@ -1,10 +1,10 @@
 #include "suffuse/gradings/named_columns.hpp"
 
 #include "suffuse/base/spelling.hpp"
-#include "suffuse/gradings/column_content.hpp"
 #include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/turned_table.hpp"
+#include "suffuse/gradings/unnamed_shares.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -149,6 +148,13 @@ private:
         if (!share) {
             return std::nullopt;
         }
+        if (!is_all && share->column == size->column) {
+            complain(
+                fmt::format("column {} is named twice: as size and as {}", size->column + 1, share_.option),
+                "one column of sizes and another of shares"
+            );
+            return std::nullopt;
+        }
         size_column_ = size->column;
         for (std::size_t k = 0; k < width_; ++k) {
             if (is_all ? k != size_column_ : k == share->column) {
@@ -176,7 +182,9 @@ private:
             const auto numbers = std::ranges::count_if(value_rows(sheet_, first), [&](const SheetRow* row) {
                 return number_at(sheet_, *row, k).has_value();
             });
-            return is_all && (numbers < 2 || headings[k].kind == ColumnKind::Sample);
+            const std::string& heading = header ? text_at(sheet_.rows[*header], k) : text_at({}, k);
+            const bool is_no_soil = headings[k].kind == ColumnKind::Sample || is_index(sheet_, first, k, heading);
+            return is_all && (numbers < 2 || is_no_soil);
         });
         if (shares_.empty()) {
             complain(fmt::format("{}: no column has two numbers", share_.option), "name the column of shares");
@@ -218,7 +226,7 @@ private:
                 break;
             }
             if (!is_value(*row)) {
-                problems_.warning(sheet_remark, row->place, "the named columns are read down to this line");
+                problems_.warning(sheet_remark, row->place, stopped_reading);
                 break;
             }
             table.sheet.rows.push_back(cut(*row));
@@ -299,100 +307,10 @@ private:
     std::vector<std::size_t> shares_;
 };
 
-constexpr std::size_t most_columns_tried = 40, most_sizes = 2, most_shares = 3;
-
-/// What a column of a sheet may be.
-struct ColumnNumbers {
-    std::size_t first_row = 0; ///< with a size
-    std::size_t sizes = 0, numbers = 0;
-    std::set<std::string_view> different;
-    SizeScale scale = SizeScale::Unknown;     ///< by a heading
-    bool is_headed = false, is_share = false; ///< by a heading: sizes, shares or masses
-};
-
-ColumnNumbers look_at(const Sheet& sheet, std::size_t column) {
-    ColumnNumbers found;
-    for (std::size_t k = 0; k < sheet.rows.size(); ++k) {
-        const SheetRow& row = sheet.rows[k];
-        if (row.is_comment) {
-            continue;
-        }
-        if (is_size(sheet, row, column)) {
-            found.first_row = found.sizes == 0 ? k : found.first_row;
-            ++found.sizes, found.different.insert(text_at(row, column));
-        } else if (found.sizes == 0) {
-            const Heading heading = read_heading(text_at(row, column));
-            found.is_headed = found.is_headed || heading.kind == ColumnKind::Size;
-            found.is_share = found.is_share || heading.kind == ColumnKind::Share;
-            found.scale = heading.kind == ColumnKind::Size ? heading.scale : found.scale;
-        }
-        found.numbers += number_at(sheet, row, column) ? 1U : 0U;
-    }
-    return found;
-}
-
-/// The meanings that the numbers of a column leave, the surest first; all where they leave none.
-void add_meanings(
-    const std::string& size, const std::string& share, const std::optional<Amounts>& amounts,
-    std::vector<ReadingOptions>& guesses
-) {
-    const PossibleMeanings possible = find_possible_meanings(amounts.value_or(Amounts{}));
-    const bool is_any = amounts && may_be_shares(possible);
-    ReadingOptions options;
-    options.size = size;
-    for (const auto& [member, fits] :
-         {std::pair{&ReadingOptions::share, possible.adds_up || possible.on_sieve},
-          {&ReadingOptions::passing, possible.passing},
-          {&ReadingOptions::retained, possible.cumulative_retained},
-          {&ReadingOptions::mass, false}}) {
-        if (fits || !is_any) {
-            ReadingOptions guess = options;
-            guess.*member = share;
-            guesses.push_back(std::move(guess));
-        }
-    }
-}
-
 } // namespace
 
 std::optional<SheetTable> read_named_columns(const Sheet& sheet, const ReadingOptions& options, Problems& problems) {
     return NamedColumnReader(sheet, options, problems).read();
-}
-
-std::vector<ReadingOptions> guess_readings(const Sheet& sheet) {
-    std::vector<ColumnNumbers> columns;
-    for (std::size_t k = 0; k < std::min(width_of(value_rows(sheet, 0)), most_columns_tried); ++k) {
-        columns.push_back(look_at(sheet, k));
-    }
-    std::vector<std::size_t> sizes;
-    for (const bool is_headed : {true, false}) {
-        for (std::size_t k = 0; k < columns.size() && sizes.size() < most_sizes; ++k) {
-            const bool may_be = columns[k].sizes > 1 && 2 * columns[k].different.size() > columns[k].sizes;
-            if (may_be && columns[k].is_headed == is_headed && !columns[k].is_share) {
-                sizes.push_back(k);
-            }
-        }
-    }
-    std::vector<ReadingOptions> guesses;
-    for (const std::size_t size : sizes) {
-        const SizeScale stated = find_size_unit(sheet, 0, columns[size].first_row).scale;
-        const SizeScale scale = columns[size].scale == SizeScale::Unknown ? stated : columns[size].scale;
-        std::size_t tried = 0;
-        for (std::size_t k = 0; k < columns.size() && tried < most_shares; ++k) {
-            if (k != size && columns[k].numbers > 1 && !columns[k].is_headed) {
-                ++tried;
-                add_meanings(
-                    fmt::format("{}:{}", size + 1, scale_name(scale)), fmt::format("{}", k + 1),
-                    amounts_in(sheet, columns[size].first_row, {size, scale}, k), guesses
-                );
-            }
-        }
-    }
-    Problems unheard;
-    if (turn_table(sheet, unheard)) {
-        add_meanings("across", "all", std::nullopt, guesses);
-    }
-    return guesses;
 }
 
 } // namespace suffuse::gradings

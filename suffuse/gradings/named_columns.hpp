@@ -6,15 +6,14 @@
 #include "suffuse/gradings/sheet_tables.hpp"
 
 #include <optional>
-#include <vector>
 
 namespace suffuse::gradings {
+
+/// What a remark says where the named columns end above the last line.
+constexpr const char* stopped_reading = "the named columns are read down to this line";
 
 /// The named columns as a table of their own, with the columns of samples next to them. Empty where the sheet has no
 /// such column, or the options contradict each other, which is reported.
 std::optional<SheetTable> read_named_columns(const Sheet& sheet, const ReadingOptions& options, Problems& problems);
-
-/// Readings to be tried, the likeliest first; a bounded number of them.
-std::vector<ReadingOptions> guess_readings(const Sheet& sheet);
 
 } // namespace suffuse::gradings

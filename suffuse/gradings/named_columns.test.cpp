@@ -111,6 +111,12 @@ TEST(NamedColumns, SharesOfTheNumberOfGrainsAreWeighed) {
     EXPECT_NE(messages_of(parsed).find("converted to shares of mass"), std::string::npos);
     const ParsedSheet open = parse_sheet("d [mm],passing [%]\n1,5\n2,50\n4,100\n", "sheet.csv", options);
     EXPECT_NE(messages_of(open).find("a size that none is finer than"), std::string::npos);
+    const ParsedSheet counted = parse_sheet("d [mm],Number finer (%)\n1,0\n2,50\n4,100\n", "sheet.csv", options);
+    ASSERT_EQ(counted.soils.size(), 1U) << messages_of(counted);
+    expect_soil({"", {{1, 0}, {2, 100.0 / 9}, {4, 100}}}, counted.soils.front(), "named as number");
+    const ParsedSheet above = parse_sheet("Size (mm),Count\n4,10\n2,50\n1,40\n", "sheet.csv", options);
+    EXPECT_NE(messages_of(above).find("10 % of the number of grains are coarser than 4 mm: 8 mm is assumed"), std::string::npos);
+    EXPECT_EQ(messages_of(above).find("as shares by mass"), std::string::npos);
 }
 
 TEST(NamedColumns, ErrorsNameWhatIsWrong) {
@@ -118,6 +124,7 @@ TEST(NamedColumns, ErrorsNameWhatIsWrong) {
              {columns("D", &ReadingOptions::passing, "C"), "size: there is no column `D`"},
              {columns("1", &ReadingOptions::share, "9"), "share: there is no column `9`"},
              {columns("1:g", &ReadingOptions::passing, "3"), "a unit does not fit"},
+             {columns("1:mm", &ReadingOptions::passing, "1"), "column 1 is named twice: as size and as passing"},
              {columns("1", &ReadingOptions::mass, "3:%"), "a unit does not fit"},
              {columns("", &ReadingOptions::passing, "3"), "one of `passing`, `retained`, `share` and `mass`"},
              {columns("across", &ReadingOptions::passing, "3"), "no line has sizes in its columns"}}) {
@@ -140,6 +147,31 @@ TEST(NamedColumns, ARefusalNamesTheOptionsThatWork) {
         refused.remarks.back().help.find("suffuse assess sheet.csv --size 1:mm --share 2 or --size 1:mm --retained 2"),
         std::string::npos
     ) << refused.remarks.back().help;
+}
+
+/// A command that reads something else than the sheet says is worse than none.
+TEST(NamedColumns, ARefusalOffersNoReadingThatIsWrong) {
+    for (const std::string text :
+         {"Particle radius (um),finer (%)\n2000,100\n1000,70\n500,40\n100,10\n",              // a radius
+          "d [mm],Number (%)\n8,0\n4,10\n2,30\n1,30\n0.5,20\n0.25,10\n",                      // a count
+          "BS sieve,% passing\n8,100\n16,70\n40,40\n200,5\n",                                 // numbers are no mm
+          "a,b,c\n1,5,8\n2,4,5\n3,100,4\n4,2,2\n",                                            // nothing is named
+          "d [mm],TP1 passing [%],TP2 passing [%]\n8,100,100\n4,#N/A,95\n2,70,80\n1,50,60\n", // one of two soils
+          "d [mm],passing [%]\n8,100\n4,90\n2,95\n\nd [mm],passing [%]\n1,40\n0.5,20\n"}) {   // one of two tables
+        const ParsedSheet refused = parse_sheet(text);
+        ASSERT_TRUE(refused.soils.empty()) << text;
+        EXPECT_EQ(render(refused.remarks).find("say how to read it"), std::string::npos) << render(refused.remarks);
+    }
+    const ParsedSheet open = parse_sheet("Diameter,weight_percent\n2,5\n1,10\n0.5,15\n0.25,20\n0.125,22\n0.063,28\n");
+    EXPECT_NE(render(open.remarks).find("--size 1:UNIT --share 2"), std::string::npos) << render(open.remarks);
+}
+
+TEST(NamedColumns, AllSoilsAreWithoutTheNumbersOfTheRows) {
+    const ParsedSheet parsed = parse_sheet(
+        "No.,d,P,Q\n1,4,100,100\n2,2,60,70\n3,1,20,30\n", "sheet.csv", columns("d:mm", &ReadingOptions::passing, "all")
+    );
+    ASSERT_EQ(parsed.soils.size(), 2U) << messages_of(parsed);
+    EXPECT_EQ(parsed.soils.front().name, "P");
 }
 
 TEST(NamedColumns, ARefusalExchangesNoColumnsThatAreNamed) {

@@ -3,6 +3,7 @@
 #include "suffuse/gradings/sheet_header.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -85,13 +86,30 @@ std::vector<SheetTable> read_percentiles(const Sheet& sheet, Problems& problems)
         if (header.is_comment || columns.size() < least_points || !have_one_scale) {
             continue;
         }
+        std::vector<const SheetRow*> left_out;
         for (const SheetRow* row : value_rows(sheet, k + 1)) {
             const auto count = std::ranges::count_if(columns, [&](const PercentileColumn& column) {
                 return number_at(sheet, *row, column.index).has_value();
             });
             if (count >= static_cast<std::ptrdiff_t>(least_points)) {
                 tables.push_back(table_of(sheet, header, *row, columns));
+            } else if (count > 0) {
+                left_out.push_back(row);
             }
+        }
+        if (!tables.empty() && !left_out.empty()) {
+            std::vector<std::string> names;
+            for (const SheetRow* row : left_out) {
+                names.push_back(name_of(header, *row));
+            }
+            problems.warning(
+                sheet_remark, left_out.front()->place,
+                fmt::format(
+                    "left out, because less than {} sizes are given: {}; read: {}{}", least_points,
+                    fmt::join(names, ", "), tables.front().name,
+                    tables.size() > 1 ? fmt::format(" and {} more", tables.size() - 1) : ""
+                )
+            );
         }
         if (!tables.empty()) {
             problems.warning(

@@ -5,6 +5,7 @@
 #include "suffuse/base/spelling.hpp"
 #include "suffuse/gradings/ags_grading.hpp"
 #include "suffuse/gradings/grading_tables.hpp"
+#include "suffuse/gradings/guess_readings.hpp"
 #include "suffuse/gradings/named_columns.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/sheet_text.hpp"
@@ -74,6 +75,8 @@ void take_tables(const ReadingOptions& options, Reading& reading) {
 
 Reading try_mark(const std::shared_ptr<const Source>& source, char mark, const ReadingOptions& options) {
     Reading reading{split_sheet(source, mark), {}, {}};
+    take_numbered_sieves(reading.sheet);
+    join_sure_groups(reading.sheet);
     if (mark == wide_blanks) {
         align_rows(reading.sheet);
         const auto header = find_sheet_header(reading.sheet);
@@ -135,6 +138,26 @@ Reading choose_mark(const std::shared_ptr<const Source>& source, const ReadingOp
     return std::move(*first);
 }
 
+/// Shares of the number of grains make another curve than those of their mass. @return whether none is read as such
+bool check_counts(const std::vector<SheetTable>& tables, const ReadingOptions& options, Problems& problems) {
+    for (const SheetTable& table : tables) {
+        const auto& shares = table.columns->shares;
+        const auto counted = std::ranges::find_if(shares, [](const ShareColumn& share) {
+            return share.counts_grains && share.unit != ShareUnit::Mass && share.unit != ShareUnit::Count;
+        });
+        if (options.by.empty() && counted != shares.end()) {
+            const SheetRow& heads = table.sheet.rows[table.columns->first_row - 1];
+            problems.error(
+                "E506", place_at(heads, counted->index),
+                fmt::format("`{}`: shares of the number of grains, not of their mass", text_at(heads, counted->index)),
+                "add --by number, which converts them; or --by mass if they are shares of mass"
+            );
+            return false;
+        }
+    }
+    return true;
+}
+
 std::optional<std::vector<SoilPoints>>
 read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& options, Problems& problems) {
     if (!options.rows.empty() && !split_lines(options.rows)) {
@@ -164,6 +187,9 @@ read_sheet(const std::shared_ptr<const Source>& source, const ReadingOptions& op
             "E505", {source, 0, 0, 1}, "the file has headings and no values",
             "a line for each sieve: its size and the percent passing"
         );
+        return std::nullopt;
+    }
+    if (!check_counts(reading.tables, options, problems)) {
         return std::nullopt;
     }
     Problems undecided;
@@ -242,26 +268,46 @@ std::vector<NamedGrading> parse_text(
     return is_good ? gradings : std::vector<NamedGrading>{};
 }
 
+bool says(const Problems& problems, std::string_view words) {
+    return std::ranges::any_of(problems.sorted(), [words](const Diagnostic& one) {
+        return one.message.find(words) != std::string::npos;
+    });
+}
+
+/// Whether it is open which columns are read as what; a cell that is wrong is mended in the sheet.
+bool may_be_named(const Problems& problems) {
+    return std::ranges::none_of(problems.sorted(), [](const Diagnostic& one) {
+        return !one.is_warning && (one.code == "E502" || one.code == "E503");
+    });
+}
+
 /// The options that read a text that could not be read without: those of the likeliest columns, and what else fits
 /// them.
 std::string find_command(const std::shared_ptr<const Source>& text, CurveEnds ends) {
     constexpr std::size_t most_bytes = 1U << 16U; // it is read again for each guess
     std::vector<std::string> commands;
     std::string size, share;
+    bool has_open_unit = false;
     const auto marks = text->text.size() > most_bytes ? std::vector<char>{} : possible_marks(text->text);
     for (auto mark = marks.begin(); mark != marks.end() && commands.empty(); ++mark) {
-        for (const ReadingOptions& guess : guess_readings(split_sheet(text, *mark))) {
+        for (const auto& [guess, is_unit_open] : guess_readings(split_sheet(text, *mark))) {
             const std::string own = guess.share + guess.passing + guess.retained + guess.mass;
             Problems unheard;
             const bool is_other = !commands.empty() && (guess.size != size || own != share);
-            if (!is_other && !parse_text(text, text->name, ends, guess, unheard).empty()) {
-                commands.push_back(command_words(guess));
-                size = guess.size, share = own;
+            const bool is_read = !is_other && !parse_text(text, text->name, ends, guess, unheard).empty();
+            if (is_read && !says(unheard, stopped_reading)) { // of a second table it would read nothing
+                ReadingOptions shown = guess;
+                shown.size = is_unit_open ? guess.size.substr(0, guess.size.find(':')) + ":UNIT" : guess.size;
+                commands.push_back(command_words(shown));
+                size = guess.size, share = own, has_open_unit = has_open_unit || is_unit_open;
             }
         }
     }
     return commands.empty() ? ""
-                            : fmt::format("suffuse assess {} {}", shell_word(text->name), fmt::join(commands, " or "));
+                            : fmt::format(
+                                  "suffuse assess {} {}{}", shell_word(text->name), fmt::join(commands, " or "),
+                                  has_open_unit ? " with the unit of the sizes, mm or um" : ""
+                              );
 }
 
 } // namespace
@@ -273,7 +319,7 @@ std::vector<NamedGrading> parse_gradings(
     std::vector<NamedGrading> gradings;
     if (const auto text = decode_sheet(source, own)) {
         gradings = parse_text(text, source->name, ends, options, own);
-        if (gradings.empty() && options.is_empty()) {
+        if (gradings.empty() && options.is_empty() && !looks_like_ags(text->text) && may_be_named(own)) {
             if (const std::string command = find_command(text, ends); !command.empty()) {
                 own.advise("or say how to read it: " + command);
             }

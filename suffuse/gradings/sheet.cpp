@@ -57,15 +57,39 @@ private:
     bool is_open_ = false, just_closed_ = false, at_begin_ = true;
 };
 
-/// The line without its comment. A # before a digit, even one that blanks keep from it at the start of a cell's text,
-/// is a sieve's.
+/// "#N/A", "#REF!", "#WERT!": what a spreadsheet writes in place of a number.
+bool is_spreadsheet_error(std::string_view text) {
+    const std::size_t end = std::min(text.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ/0", 1), text.size());
+    const std::string_view word = text.substr(0, end);
+    return word == "#N/A" || word == "#NV" || (end > 1 && end < text.size() && (text[end] == '!' || text[end] == '?'));
+}
+
+/// Whether a # begins a comment: behind a value, or in a cell of its own. "#200" and "# 4" are sieves, and that of
+/// "Sieve #" is a word. @param cell where its cell begins @param before what stands before it there
+bool begins_comment(std::string_view line, std::size_t at, std::string_view before, char mark) {
+    const std::string_view after = line.substr(at + 1), text = trimmed(after.substr(0, after.find(mark)));
+    const bool is_apart = at == 0 || blanks.find(line[at - 1]) != std::string_view::npos || line[at - 1] == mark;
+    if (!is_apart || (!after.empty() && is_digit(after[0])) || is_spreadsheet_error(line.substr(at))) {
+        return false;
+    }
+    if (!trimmed(before).empty()) {
+        return before.find_first_of("0123456789") != std::string_view::npos;
+    }
+    const bool is_start = trimmed(line.substr(0, at)).empty();
+    const bool is_heading = !after.empty() && after[0] == mark && mark != ' '; // "#,d [mm]", above 1, 2, 3
+    return is_start ? !is_heading : text.find_first_not_of("0123456789 ") != std::string_view::npos;
+}
+
+/// The line without its comment.
 std::string_view without_comment(std::string_view line, char mark) {
     QuoteWatch watch(mark);
+    std::size_t cell = 0;
     for (std::size_t k = 0; k < line.size(); ++k) {
-        const bool is_number = k + 1 < line.size() && is_digit(line[k + 1]);
-        if (!watch.passes(line[k]) && line[k] == '#' && !is_number) {
+        const bool is_within = watch.passes(line[k]), is_cut_by_blanks = mark == ' ' || mark == wide_blanks;
+        if (!is_within && line[k] == '#' && begins_comment(line, k, line.substr(cell, k - cell), mark)) {
             return line.substr(0, k);
         }
+        cell = !is_within && !is_cut_by_blanks && watch.is_mark(line[k]) ? k + 1 : cell;
     }
     return line;
 }
@@ -129,6 +153,9 @@ bool is_plain_number(std::string_view text) {
 bool belongs_to(const SheetCell& before, std::string_view text) {
     const std::string_view last = before.text;
     const bool is_bracket = text.starts_with('[') || text.starts_with('(');
+    if (text == "#") {
+        return !is_plain_number(last); // "Sieve #"
+    }
     const bool is_number_word =
         last == "No." || last == "No" || last == "Nr." || last == "N\u00b0" || last == "#" || last == "%";
     const bool is_unit = text == "mm" || text == "um" || text == "\u00b5m" || text == "\u03bcm" || text == "cm" ||
@@ -254,7 +281,7 @@ Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark) {
         begin = end + 1;
         ++number;
         const std::string_view start = trimmed(line);
-        const bool is_comment = start.starts_with('#') && !(start.size() > 1 && is_digit(start[1]));
+        const bool is_comment = start.starts_with('#') && begins_comment(start, 0, {}, mark);
         if (is_comment) { // its column numbers stay true: # is a blank
             line.remove_prefix(static_cast<std::size_t>(start.data() - line.data()) + 1);
         } else {

@@ -34,8 +34,9 @@ struct Sheet {
 /// The mark of columns between runs of two blanks and more, where single ones stand within cells.
 constexpr char wide_blanks = '\v';
 
-/// The cells between these marks. `#` begins a comment at the start of a line and, further on, where no digit follows:
-/// #200 is a sieve. Empty cells at the end of a row, where spreadsheets leave some, are dropped.
+/// The cells between these marks. `#` begins a comment at the start of a line and, further on, behind a value or in a
+/// cell of its own: #200 is a sieve, #N/A an error of a spreadsheet. Empty cells at the end of a row, where
+/// spreadsheets leave some, are dropped.
 Sheet split_sheet(const std::shared_ptr<const Source>& source, char mark);
 
 /// Gives each row of a block of lines the columns of its longest ones, by where the cells stand. Rows of one cell, and

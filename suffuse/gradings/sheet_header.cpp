@@ -1,6 +1,7 @@
 #include "suffuse/gradings/sheet_header.hpp"
 
 #include "suffuse/base/units.hpp"
+#include "suffuse/gradings/derived_values.hpp"
 #include "suffuse/gradings/grading_columns.hpp"
 #include "suffuse/gradings/lexicon.hpp"
 
@@ -32,12 +33,24 @@ std::vector<Heading> join_headings(const SheetRow& above, const SheetRow& below)
     return joined;
 }
 
+/// "Sample,Dmax (mm)": a size of each sample is no column of sizes.
+void pass_over_results(const SheetRow& cells, std::vector<Heading>& headings) {
+    const auto sizes = columns_of_kind(headings, ColumnKind::Size);
+    if (sizes.size() == 1 && has_kind(headings, ColumnKind::Sample)) {
+        const auto result = read_derived_name(cells.cells[sizes.front()].text);
+        const bool is_one =
+            result && (result->kind == DerivedValue::Kind::Largest || result->kind == DerivedValue::Kind::SizeAt);
+        headings[sizes.front()].kind = is_one ? ColumnKind::Other : ColumnKind::Size;
+    }
+}
+
 /// A row of headings: one says size, and no cell of it is one.
 std::optional<SheetHeader> read_header(const SheetRow& cells, std::size_t row) {
     SheetHeader header{row, 1, {}, false};
     for (const SheetCell& cell : cells.cells) {
         header.headings.push_back(read_heading(cell.text));
     }
+    pass_over_results(cells, header.headings);
     const bool has_size = has_kind(header.headings, ColumnKind::Size);
     header.is_complete = has_size && has_share(header.headings);
     return has_size && header.headings.size() > 1 ? std::optional(std::move(header)) : std::nullopt;
@@ -113,8 +126,9 @@ bool goes_on(const Sheet& sheet, std::size_t row, std::size_t columns) {
 constexpr std::size_t most_columns = 2000;
 
 bool names_dry_mass(const std::string& words) {
-    return mentions(Topic::Mass, words) && mentions(Topic::WholeSample, words) &&
-           (!mentions(Topic::OtherMass, words) || mentions(Topic::Before, words));
+    const bool is_before = mentions(Topic::Before, words); // washing, sieving
+    return mentions(Topic::Mass, words) && (is_before || mentions(Topic::WholeSample, words)) &&
+           (is_before ? !mentions(Topic::Drying, words) : !mentions(Topic::OtherMass, words));
 }
 
 std::optional<double> mass_in(std::string_view text, const char* unit, bool comma) {
@@ -131,10 +145,10 @@ std::optional<double> mass_in(std::string_view text, const char* unit, bool comm
     }
 }
 
-/// The text behind a colon, else the next cell that holds something.
+/// The text behind a colon or =, else the next cell that holds something.
 std::string value_after(const SheetRow& row, std::size_t column) {
     const std::string& text = row.cells[column].text;
-    const std::size_t colon = text.find(':');
+    const std::size_t colon = text.find_first_of(":=");
     if (colon != std::string::npos && !trimmed(std::string_view(text).substr(colon + 1)).empty()) {
         return std::string(trimmed(std::string_view(text).substr(colon + 1)));
     }
@@ -202,6 +216,40 @@ std::optional<SheetHeader> find_sheet_header(const Sheet& sheet) {
     return has_kind(joined.headings, ColumnKind::Size) ? joined : header; // else the second line is none of theirs
 }
 
+void take_numbered_sieves(Sheet& sheet) {
+    const auto header = std::ranges::find_if(sheet.rows, [](const SheetRow& row) {
+        return !row.is_comment && row.cells.size() > 1 && !has_number(row);
+    });
+    if (header == sheet.rows.end()) {
+        return;
+    }
+    const Heading heading = read_heading(header->cells.front().text);
+    const bool are_numbers = std::ranges::any_of(sheet.rows, [&](const SheetRow& row) {
+        const auto size = row.is_comment ? std::nullopt : size_at(sheet, row, 0, heading.scale);
+        return size && (size->notation == SizeNotation::SieveNumber || size->notation == SizeNotation::Inches);
+    });
+    const bool may_be = heading.scale == SizeScale::SieveNumber || (heading.scale == SizeScale::Unknown && are_numbers);
+    std::vector<SheetRow*> sieves;
+    for (auto row = header; heading.kind == ColumnKind::Size && may_be && row != sheet.rows.end(); ++row) {
+        const std::size_t cells = row->cells.size();
+        const auto number = row->is_comment && cells > 1 && cells <= header->cells.size()
+                                ? plain_number(row->cells.front().text, false)
+                                : std::nullopt;
+        bool has_numbers = number && sieve_opening(*number);
+        for (std::size_t k = 1; has_numbers && k < cells; ++k) {
+            has_numbers = is_blank(row->cells[k].text) || number_at(sheet, *row, k);
+        }
+        if (has_numbers) {
+            sieves.push_back(&*row);
+        }
+    }
+    for (SheetRow* row : sieves) {
+        if (sieves.size() > 1) { // one alone may have been taken out of the sheet
+            row->is_comment = false, row->cells.front().text.insert(0, "#");
+        }
+    }
+}
+
 bool is_complete_header(const SheetRow& row) {
     const auto header = read_header(row, 0);
     return header && header->is_complete;
@@ -254,7 +302,7 @@ std::string sample_named_in(const SheetRow& row) {
 std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row) {
     for (std::size_t k = 0; k < row.cells.size(); ++k) {
         const std::string& text = row.cells[k].text;
-        const std::string_view named = std::string_view(text).substr(0, text.find(':'));
+        const std::string_view named = std::string_view(text).substr(0, text.find_first_of(":="));
         if (!names_dry_mass(fmt::format(" {} ", plain_words(named)))) {
             continue;
         }

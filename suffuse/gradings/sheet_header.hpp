@@ -24,6 +24,9 @@ struct SheetHeader {
 /// The first complete row of headings, else the first with a size; a comment counts where no other line does.
 std::optional<SheetHeader> find_sheet_header(const Sheet& sheet);
 
+/// "# 4,60", which split_sheet() takes for a comment, is a sieve under a heading of sieves without a unit.
+void take_numbered_sieves(Sheet& sheet);
+
 /// The columns of a kind, rising.
 std::vector<std::size_t> columns_of_kind(const std::vector<Heading>& headings, ColumnKind kind);
 

@@ -1,5 +1,6 @@
 #include "suffuse/gradings/sheet_tables.hpp"
 
+#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/percentiles.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/turned_table.hpp"
@@ -11,6 +12,7 @@
 #include <cctype>
 #include <functional>
 #include <iterator>
+#include <set>
 #include <utility>
 
 namespace suffuse::gradings {
@@ -163,7 +165,7 @@ public:
             table_.sheet.rows.clear();
             sizes_ = columns_of_kind(header->headings, ColumnKind::Size);
             shares_ = columns_of_kind(header->headings, ColumnKind::Share);
-            sort_rows(first_ + header->row + header->lines);
+            sort_rows(first_ + header->row + header->lines, *header);
         }
         return std::move(table_);
     }
@@ -202,6 +204,18 @@ private:
         });
     }
 
+    /// "Material finer than 0.063 mm by washing" in a column of masses is in the pan's place, and no result.
+    [[nodiscard]] bool is_washed_mass(const SheetRow& row, const SheetHeader& header) const {
+        const bool is_mass = std::ranges::any_of(shares_, [&](std::size_t k) {
+            return header.headings[k].unit == ShareUnit::Mass && number_at(sheet_, row, k);
+        });
+        return is_mass && read_row_word(first_text(row)) == RowWord::Pan &&
+               mentions(Topic::Washing, spaced_words(first_text(row))) &&
+               std::ranges::none_of(row.cells, [](const SheetCell& cell) {
+                   return cell.text.find('%') != std::string::npos;
+               });
+    }
+
     [[nodiscard]] bool has_share(const SheetRow& row) const {
         return std::ranges::any_of(shares_, [&](std::size_t k) { return number_at(sheet_, row, k).has_value(); });
     }
@@ -209,12 +223,13 @@ private:
     /// Values go into the table, derived values and notes out of it. Below its last sieve a row without a share is a
     /// note; one with a number where the shares stand is a note only apart from the table, else a sieve that cannot be
     /// read, and an error.
-    void sort_rows(std::size_t values) {
+    void sort_rows(std::size_t values, const SheetHeader& header) {
         for (std::size_t k = first_; k < values; ++k) {
             table_.sheet.rows.push_back(sheet_.rows[k]);
         }
-        auto rows =
-            find_derived_rows(sheet_, values, end_, [this](const SheetRow& row) { return is_whole_sieve(row); });
+        auto rows = find_derived_rows(sheet_, values, end_, [this, &header](const SheetRow& row) {
+            return is_whole_sieve(row) || is_washed_mass(row, header);
+        });
         const std::vector<bool>& derived = rows.are_derived;
         table_.notes.derived = std::move(rows.values);
         std::size_t last = values;
@@ -230,7 +245,8 @@ private:
             }
             is_apart = is_apart || (k >= last && k > values && row.place.line > sheet_.rows[k - 1].place.line + 1);
             has_begun = has_begun || is_sieve(row); // a word below the headings belongs to them
-            if (!row.is_comment && has_begun && is_note(row, k >= last, is_apart)) {
+            const bool is_depth = !has_begun && read_heading(first_text(row)).names_depth; // of each column
+            if (!row.is_comment && (is_depth || (has_begun && is_note(row, k >= last, is_apart)))) {
                 table_.notes.others.push_back(row);
                 is_apart = k >= last;
             } else {
@@ -313,6 +329,34 @@ std::size_t first_title(const Sheet& sheet, std::size_t header) {
     return first;
 }
 
+/// "TP2" right above the headings: one cell, with a number or a letter of its own, that says nothing else.
+std::string plain_name_above(const Sheet& sheet, std::size_t first, std::size_t header) {
+    if (header <= first || sheet.rows[header - 1].is_comment || sheet.rows[header - 1].cells.size() != 1) {
+        return {};
+    }
+    const std::string& text = sheet.rows[header - 1].cells.front().text;
+    const Heading heading = read_heading(text);
+    const std::string words = spaced_words(text);
+    const bool has_number = text.find_first_of("0123456789") != std::string::npos;
+    const bool has_letter = words.size() > 3 && words[words.size() - 3] == ' ';
+    const bool is_other = heading.kind != ColumnKind::Other || heading.scale != SizeScale::Unknown ||
+                          heading.unit != ShareUnit::Unknown || mentions(Topic::Part, words) ||
+                          text.find_first_of("<>:=") != std::string::npos || names_hydrometer(sheet.rows[header - 1]);
+    return !is_other && (has_number || has_letter) ? text : "";
+}
+
+/// Tables below each other that all have such a title are soils of these names.
+void take_plain_names(const std::vector<std::string>& titles, std::vector<SheetTable>& tables) {
+    const std::set<std::string> different(titles.begin(), titles.end());
+    const bool have_none = std::ranges::all_of(tables, [](const SheetTable& table) { return table.name.empty(); });
+    if (tables.size() > 1 && titles.size() == tables.size() && different.size() == titles.size() &&
+        !different.contains("") && have_none) {
+        for (std::size_t k = 0; k < tables.size(); ++k) {
+            tables[k].name = titles[k];
+        }
+    }
+}
+
 } // namespace
 
 std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
@@ -334,6 +378,7 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
         return tables;
     }
     std::vector<SheetTable> tables;
+    std::vector<std::string> titles;
     std::size_t first = 0;
     StatedUnit unit;
     for (std::size_t k = 0; k < headers.size(); ++k) {
@@ -346,12 +391,14 @@ std::vector<SheetTable> cut_tables(const Sheet& sheet, Problems& problems) {
                 sheet_remark, sheet.rows[other].place, "skipped from here on: a table that holds no grading"
             );
         }
+        titles.push_back(plain_name_above(sheet, first, headers[k]));
         for (SheetTable& part : split_side_by_side(TableCutter(sheet, first, headers[k], other).cut(), problems)) {
             part.size_unit = unit;
             tables.push_back(std::move(part));
         }
         first = end;
     }
+    take_plain_names(titles, tables);
     return tables;
 }
 

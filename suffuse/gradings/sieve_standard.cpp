@@ -25,7 +25,7 @@ bool has_sieve_numbers(const SheetTable& table) {
 const SheetCell* find_cell(const Sheet& sheet, Topic topic) {
     for (const SheetRow& row : sheet.rows) {
         for (const SheetCell& cell : row.cells) {
-            if (mentions(topic, fmt::format(" {} ", trimmed(plain_words(cell.text))))) {
+            if (mentions(topic, spaced_words(cell.text))) {
                 return &cell;
             }
         }

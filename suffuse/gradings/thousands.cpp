@@ -63,6 +63,27 @@ char sign_in(std::string_view digits) {
     return is_decimal ? digits[last] : 0; // 12.05.2026 is neither
 }
 
+/// "20 000 um" without the blanks between its groups of three digits; empty where it has none, or is no number.
+std::string without_blanks(std::string_view text) {
+    std::string plain(text);
+    for (const std::string_view blank : {"\u00a0", "\u202f", "\u2009"}) {
+        for (std::size_t at = plain.find(blank); at != std::string::npos; at = plain.find(blank)) {
+            plain.replace(at, blank.size(), " ");
+        }
+    }
+    std::string joined = plain;
+    for (std::size_t at = joined.find(' '); at != std::string::npos && at > 0; at = joined.find(' ', at)) {
+        const std::size_t end = std::min(joined.find_first_not_of("0123456789", at + 1), joined.size());
+        if (!is_digit(joined[at - 1]) || end != at + 4) {
+            break;
+        }
+        joined.erase(at, 1);
+    }
+    const std::size_t blank = plain.find_first_not_of("0123456789");
+    const bool begins_with_group = blank != std::string::npos && blank > 0 && blank < 4 && plain[0] != '0';
+    return joined != plain && begins_with_group && !digits_in(joined).empty() ? joined : "";
+}
+
 /// The number of a cell in one of two readings.
 std::optional<double> number_in(std::string_view text, bool is_thousands) {
     std::string digits(digits_in(split_size_text(text).text));
@@ -278,6 +299,25 @@ void join_groups(Sheet& sheet, std::size_t first_row, std::size_t column, char m
             std::string& text = sheet.rows[k].cells[column].text;
             if (mark_of_groups(digits_in(split_size_text(text).text)) == mark) {
                 std::erase(text, mark);
+            }
+        }
+    }
+}
+
+void join_sure_groups(Sheet& sheet) {
+    for (SheetRow& row : sheet.rows) {
+        for (SheetCell& cell : row.cells) {
+            const bool may_be = !row.is_comment && sheet.mark != ' ' && sheet.mark != wide_blanks;
+            const std::string joined = may_be ? without_blanks(cell.text) : "";
+            cell.text = joined.empty() ? cell.text : joined;
+        }
+    }
+    const char sign = find_decimal_sign(sheet);
+    for (SheetRow& row : sheet.rows) {
+        for (SheetCell& cell : row.cells) {
+            const std::string_view digits = digits_in(split_size_text(cell.text).text);
+            if (sign != 0 && sign_in(digits) == sign && digits.find(other(sign)) != std::string_view::npos) {
+                std::erase(cell.text, other(sign));
             }
         }
     }

@@ -30,6 +30,9 @@ std::optional<GroupedNumber> find_grouped(const Sheet& sheet, std::size_t first_
 /// Takes the marks between thousands out of the numbers of a column.
 void join_groups(Sheet& sheet, std::size_t first_row, std::size_t column, char mark);
 
+/// Takes the marks out of numbers that can be read in one way alone: "20 000", "1,000.5" and "1.000,5".
+void join_sure_groups(Sheet& sheet);
+
 /// Joins the thousands of the columns of all tables, with a remark, and reports those that nothing decides.
 void settle_thousands(const Sheet& sheet, std::vector<SheetTable>& tables, Problems& problems);
 

@@ -29,6 +29,17 @@ std::string size_in_heading(std::string_view text, bool may_be_plain) {
     return size_among_words(text);
 }
 
+/// "% < 20 mm", "< 20 mm (%)": without the unit of the share.
+std::string without_percent(std::string_view text) {
+    std::string plain;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool is_unit = text.substr(k, 3) == "(%)" || text.substr(k, 3) == "[%]";
+        k += is_unit ? 2U : 0U;
+        plain += is_unit || text[k] == '%' ? ' ' : text[k];
+    }
+    return std::string(trimmed(plain));
+}
+
 /// Whether a heading says which share it holds.
 bool is_stated(const Heading& heading) {
     return heading.kind == ColumnKind::Share && heading.meaning != ShareMeaning::Cumulative &&
@@ -49,6 +60,7 @@ struct SieveRowAcross {
     std::vector<std::string> sizes;
     Heading label;
     std::vector<std::string> headings; ///< of all columns
+    bool are_passing = false;          ///< "< 20 mm", "Passing 2 mm (%)": what passes them
 };
 
 class TableTurner {
@@ -75,14 +87,26 @@ private:
             across_.label.scale = scale_next_to(row);
         }
         std::vector<double> diameters;
+        const auto finer = [&row](std::size_t k) { // "% < 20 mm"
+            const SizeText text = split_size_text(without_percent(row.cells[k].text));
+            return text.sense == SizeSense::Finer && read_row_word(row.cells[k].text) == RowWord::None
+                       ? std::optional(text.text)
+                       : std::nullopt;
+        };
+        std::size_t passing = 0;
+        for (std::size_t k = 0; k < row.cells.size(); ++k) {
+            passing += finer(k) ? 1U : 0U;
+        }
+        across_.are_passing = passing > 1; // there is one pan
         const bool is_labeled = across_.label.kind == ColumnKind::Size || across_.label.kind == ColumnKind::Sample;
         for (std::size_t k = 0; k < row.cells.size(); ++k) {
             const std::string& cell = row.cells[k].text;
-            if (read_row_word(cell) != RowWord::None || split_size_text(cell).sense == SizeSense::Finer) {
+            const auto passed = across_.are_passing ? finer(k) : std::nullopt;
+            if (read_row_word(cell) != RowWord::None || (!passed && split_size_text(cell).sense == SizeSense::Finer)) {
                 across_.columns.push_back(k), across_.sizes.push_back(cell); // the pan stands among them
                 continue;
             }
-            const std::string text = size_in_heading(cell, is_labeled);
+            const std::string text = size_in_heading(passed.value_or(cell), is_labeled);
             const auto size = read_sieve_size(text, across_.label.scale, commas_are_decimal(sheet_));
             if (!size) {
                 continue;
@@ -166,6 +190,9 @@ private:
         Heading heading = read_heading(sieves.cells[across_.columns.front()].text);
         if (heading.kind == ColumnKind::Tare) { // "Sieve_2000um_g": of many sieves, what each keeps
             heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Retained;
+        }
+        if (across_.are_passing && !is_stated(heading)) {
+            heading.kind = ColumnKind::Share, heading.meaning = ShareMeaning::Passing;
         }
         if (is_stated(heading)) {
             heading.scale = SizeScale::Unknown;
@@ -280,6 +307,7 @@ private:
             columns.shares.push_back(
                 {first.cells.size(), {}, name, heading.meaning, heading.unit, is_stated(heading), heading.mass_unit}
             );
+            columns.shares.back().counts_grains = heading.counts_grains;
             first.cells.push_back({name, row->place, false});
             taken.push_back(row);
         }
