@@ -2,7 +2,6 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/gradings/column_content.hpp"
-#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/soil_columns.hpp"
 #include "suffuse/gradings/unnamed_shares.hpp"
@@ -137,11 +136,8 @@ private:
         const auto highest = std::ranges::max_element(ranks); // of a header, which has one
         const auto best = static_cast<std::size_t>(highest - ranks.begin());
         found_.size = {best, headings_[best].scale};
-        if (headings_[best].scale != SizeScale::Phi && mentions(Topic::NoDiameter, spaced_words(name_of(best)))) {
-            problems_.error(
-                "E506", header_->cells[best].place, fmt::format("`{}` are no diameters", name_of(best)),
-                "write diameters, twice the radius, and no logarithms: in a column `d [mm]`"
-            );
+        if (names_no_diameter(headings_[best], name_of(best))) {
+            complain_about_diameters(place_at(*header_, best), name_of(best), problems_);
             return false;
         }
         for (std::size_t k = best + 1; k < headings_.size(); ++k) {
@@ -330,7 +326,10 @@ private:
         for (const auto& [k, amounts] : columns) {
             add_unnamed(k, ShareMeaning::Unstated);
         }
-        add_soils_with_odd_cells(candidates, columns);
+        const OddSoils odd = find_soils_with_odd_cells(sheet_, found_.first_row, found_.size, candidates, columns);
+        for (const std::size_t k : odd.columns) {
+            add_unnamed(k, odd.meaning);
+        }
         if (found_.shares.empty()) {
             problems_.error(
                 "E506", header_->place,
@@ -349,29 +348,6 @@ private:
         const std::string& name = is_split ? headings_[k].rest : text_at(*header_, k);
         found_.shares.push_back({k, {}, name, meaning, headings_[k].unit, false});
         found_.shares.back().counts_grains = headings_[k].counts_grains;
-    }
-
-    /// No soil is dropped because one of its cells is wrong: the cell is an error.
-    void add_soils_with_odd_cells(
-        const std::vector<std::size_t>& candidates, const std::vector<std::pair<std::size_t, Amounts>>& columns
-    ) {
-        const auto are_all = [&columns](bool PossibleMeanings::*kind) {
-            return !columns.empty() && std::ranges::all_of(columns, [kind](const auto& column) {
-                return find_possible_meanings(column.second).*kind;
-            });
-        };
-        const bool pass = are_all(&PossibleMeanings::passing);
-        if (!pass && !are_all(&PossibleMeanings::cumulative_retained)) {
-            return;
-        }
-        const ShareMeaning meaning = pass ? ShareMeaning::Passing : ShareMeaning::CumulativeRetained;
-        for (const std::size_t k : candidates) {
-            const auto amounts = amounts_in(sheet_, found_.first_row, found_.size, k);
-            const bool is_good = amounts && may_be_shares(find_possible_meanings(*amounts));
-            if (!is_good && is_soil_but_for_cells(sheet_, found_.first_row, found_.size, k, meaning)) {
-                add_unnamed(k, meaning);
-            }
-        }
     }
 
     void remark_on_meaning(bool are_cumulative) {

@@ -35,7 +35,7 @@ public:
             soil.name = tables_ > 1 ? soil.sample : soil.name;
             SoilPoints* above = find_above(table, soil, before);
             if (above != nullptr) {
-                if (check_joint(*above, soil)) {
+                if (check_whole(*above, soil, table.dry.has_value()) && check_joint(*above, soil)) {
                     join(*above, std::move(soil));
                 }
                 continue;
@@ -75,6 +75,22 @@ private:
             }
         }
         return nullptr;
+    }
+
+    /// Masses with a pan of their own below others that have one: a part of what passed was riffled and sieved on.
+    bool check_whole(const SoilPoints& above, const SoilPoints& soil, bool has_dry_mass) {
+        const bool are_two = above.reading.share_unit == "mass" && soil.reading.share_unit == "mass" && !has_dry_mass;
+        if (are_two) {
+            problems_.error(
+                "E503", soil.points.front().passing_place,
+                "a second table of masses goes on below the first, and each has a whole of its own: was a part of what "
+                "passed riffled and sieved on?",
+                "give masses of the whole sample in one table: multiply those of the part by the mass that passed over "
+                "that of the part; or keep this table in a file of its own"
+            );
+            is_good_ = false;
+        }
+        return !are_two;
     }
 
     /// A hydrometer's shares are often of the part that went into its cylinder: then more passes than above.

@@ -1,7 +1,6 @@
 #include "suffuse/gradings/guess_readings.hpp"
 
 #include "suffuse/gradings/column_content.hpp"
-#include "suffuse/gradings/lexicon.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 #include "suffuse/gradings/turned_table.hpp"
 
@@ -44,7 +43,7 @@ ColumnNumbers look_at(const Sheet& sheet, std::size_t column) {
             found.have_units = found.have_units && size_at(sheet, row, column)->notation != SizeNotation::Plain;
         } else if (found.sizes == 0) {
             const Heading heading = read_heading(text_at(row, column));
-            const bool is_radius = mentions(Topic::NoDiameter, spaced_words(text_at(row, column)));
+            const bool is_radius = names_no_diameter(heading, text_at(row, column));
             found.is_no_size = found.is_no_size || is_radius;
             found.is_no_share = found.is_no_share || heading.counts_grains || heading.kind == ColumnKind::Sample;
             found.heading = is_blank(text_at(row, column)) ? found.heading : text_at(row, column);

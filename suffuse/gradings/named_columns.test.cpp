@@ -115,7 +115,10 @@ TEST(NamedColumns, SharesOfTheNumberOfGrainsAreWeighed) {
     ASSERT_EQ(counted.soils.size(), 1U) << messages_of(counted);
     expect_soil({"", {{1, 0}, {2, 100.0 / 9}, {4, 100}}}, counted.soils.front(), "named as number");
     const ParsedSheet above = parse_sheet("Size (mm),Count\n4,10\n2,50\n1,40\n", "sheet.csv", options);
-    EXPECT_NE(messages_of(above).find("10 % of the number of grains are coarser than 4 mm: 8 mm is assumed"), std::string::npos);
+    EXPECT_NE(
+        messages_of(above).find("10 % of the number of grains are coarser than 4 mm: 8 mm is assumed"),
+        std::string::npos
+    );
     EXPECT_EQ(messages_of(above).find("as shares by mass"), std::string::npos);
 }
 

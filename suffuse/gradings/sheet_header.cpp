@@ -33,10 +33,12 @@ std::vector<Heading> join_headings(const SheetRow& above, const SheetRow& below)
     return joined;
 }
 
-/// "Sample,Dmax (mm)": a size of each sample is no column of sizes.
+/// "Sample,Dmax (mm)", "Dmax (mm),Passing 20 mm,Passing 2 mm": a size of each sample is no column of sizes.
 void pass_over_results(const SheetRow& cells, std::vector<Heading>& headings) {
     const auto sizes = columns_of_kind(headings, ColumnKind::Size);
-    if (sizes.size() == 1 && has_kind(headings, ColumnKind::Sample)) {
+    const auto sieves =
+        std::ranges::count_if(cells.cells, [](const SheetCell& cell) { return !size_among_words(cell.text).empty(); });
+    if (sizes.size() == 1 && (sieves > 1 || has_kind(headings, ColumnKind::Sample))) {
         const auto result = read_derived_name(cells.cells[sizes.front()].text);
         const bool is_one =
             result && (result->kind == DerivedValue::Kind::Largest || result->kind == DerivedValue::Kind::SizeAt);
@@ -322,6 +324,17 @@ std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const 
         found = mass ? mass : found;
     }
     return found;
+}
+
+bool names_no_diameter(const Heading& heading, std::string_view text) {
+    return heading.scale != SizeScale::Phi && mentions(Topic::NoDiameter, spaced_words(text));
+}
+
+void complain_about_diameters(const Place& place, std::string_view heading, Problems& problems) {
+    problems.error(
+        "E506", place, fmt::format("`{}` are no diameters", heading),
+        "write diameters, twice the radius, and no logarithms: in a column `d [mm]`"
+    );
 }
 
 bool names_hydrometer(const SheetRow& row) {

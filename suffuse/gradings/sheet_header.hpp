@@ -54,6 +54,11 @@ std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const 
 /// "Sizes in um", "Grain size: mm": the last one that the rows from `begin` to before `end` give, else the one before.
 StatedUnit find_size_unit(const Sheet& sheet, std::size_t begin, std::size_t end, const StatedUnit& before = {});
 
+/// "Particle radius (um)", "ln d".
+bool names_no_diameter(const Heading& heading, std::string_view text);
+
+void complain_about_diameters(const Place& place, std::string_view heading, Problems& problems);
+
 /// "Sedimentation", "HYDROMETER (mm)".
 bool names_hydrometer(const SheetRow& row);
 

@@ -82,7 +82,8 @@ private:
         const SheetRow& row = sheet_.rows[row_number];
         const bool has_label = !row.cells.empty() && !is_size(sheet_, row, 0); // "4.75 mm" names its unit, too
         across_ = {row_number, {}, {}, {}, headings_of(row_number)};
-        across_.label = has_label ? read_heading(across_.headings.front()) : Heading{};
+        const bool is_result = has_label && read_derived_name(across_.headings.front()); // "Dmax (mm)"
+        across_.label = has_label && !is_result ? read_heading(across_.headings.front()) : Heading{};
         if (across_.label.scale == SizeScale::Unknown) {
             across_.label.scale = scale_next_to(row);
         }
@@ -215,7 +216,7 @@ private:
     [[nodiscard]] std::vector<std::size_t> find_keys() const {
         std::vector<std::size_t> keys, others;
         for (std::size_t k = 0; k < across_.headings.size(); ++k) {
-            if (!is_sieve(k)) {
+            if (!is_sieve(k) && !read_derived_name(across_.headings[k])) {
                 (read_heading(across_.headings[k]).kind == ColumnKind::Sample ? keys : others).push_back(k);
             }
         }
@@ -245,6 +246,13 @@ private:
                     "one value for each column; where numbers have a decimal comma, columns are separated by ;"
                 );
             }
+        }
+    }
+
+    void check_diameters() {
+        const SheetRow& heads = sheet_.rows[across_.row];
+        if (across_.label.kind == ColumnKind::Size && names_no_diameter(across_.label, across_.headings.front())) {
+            complain_about_diameters(heads.cells.front().place, across_.headings.front(), problems_);
         }
     }
 
@@ -294,6 +302,7 @@ private:
         const SheetRow& heads = sheet_.rows[across_.row];
         check_widths();
         check_second_heads();
+        check_diameters();
         SheetRow first{{heads.cells.front()}, heads.place, false};
         std::vector<const SheetRow*> taken;
         for (const SheetRow* row : samples_) {

@@ -5,17 +5,26 @@
 #include "suffuse/gradings/column_content.hpp"
 #include "suffuse/gradings/grading_columns.hpp"
 
+#include <cstddef>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace suffuse::gradings {
 
 /// "Nr." or no heading above 1, 2, 3.
 bool is_index(const Sheet& sheet, std::size_t first_row, std::size_t column, std::string_view heading);
 
-/// Whether a column would be a soil of cumulative shares but for some cells: it is one, and these are errors.
-/// @param meaning of the others: finer, or coarser
-bool is_soil_but_for_cells(
-    const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t column, ShareMeaning meaning
+struct OddSoils {
+    ShareMeaning meaning = ShareMeaning::Passing; ///< finer or coarser, as of the others
+    std::vector<std::size_t> columns;
+};
+
+/// Columns that would be soils of cumulative shares but for some cells: they are, and these cells are errors.
+/// @param columns of the candidates those that hold shares
+OddSoils find_soils_with_odd_cells(
+    const Sheet& sheet, std::size_t first_row, const SizeColumn& size, const std::vector<std::size_t>& candidates,
+    const std::vector<std::pair<std::size_t, Amounts>>& columns
 );
 
 } // namespace suffuse::gradings
