@@ -247,6 +247,13 @@ std::optional<std::vector<SoilPoints>> read_tables(std::vector<SheetTable>& tabl
         if (soils && soils->size() == 1) {
             soils->front().dry = table.dry;
         }
+        if (soils && table.unused_mass &&
+            std::ranges::any_of(*soils, [](const SievedSoil& soil) { return soil.unit == ShareUnit::Mass; })) {
+            problems.warning(
+                sheet_remark, *table.unused_mass, "no mass of the whole sample is taken from the titles",
+                "state one `dry mass (g)` if the shares are of it"
+            );
+        }
         auto points = soils ? points_of(std::move(*soils), table.notes, problems) : std::nullopt;
         is_good = is_good && points;
         if (points) {

@@ -128,7 +128,8 @@ bool counts_grains(const Roles& roles, std::string_view text) {
     constexpr std::string_view number = " number ";
     const std::string words = spaced_words(text);
     const std::size_t at = words.find(number);
-    const bool is_sieve = at != std::string::npos && is_digit(words[at + number.size()]);
+    const bool has_unit = words.find(" mm ") != std::string::npos || words.find(" um ") != std::string::npos;
+    const bool is_sieve = at != std::string::npos && is_digit(words[at + number.size()]) && !has_unit;
     return mentions(Topic::Counted, words) && !is_sieve && !roles.has(Role::Sieve) && !roles.has(Role::Sample);
 }
 

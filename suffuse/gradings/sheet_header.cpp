@@ -326,6 +326,23 @@ std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const 
     return found;
 }
 
+std::optional<Place> find_unused_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows) {
+    for (const SheetRow* row : rows) {
+        for (std::size_t k = 0; k < row->cells.size(); ++k) {
+            const std::string_view text = row->cells[k].text;
+            const std::string_view named = text.substr(0, text.find_first_of(":="));
+            const std::string words = spaced_words(named);
+            const bool is_other = mentions(Topic::OtherMass, words) && !mentions(Topic::Before, words);
+            const bool comma = commas_are_decimal(sheet, *row, k + 1);
+            if (mentions(Topic::Mass, words) && !is_other &&
+                mass_in(value_after(*row, k), read_heading(named).mass_unit, comma)) {
+                return row->cells[k].place;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 bool names_no_diameter(const Heading& heading, std::string_view text) {
     return heading.scale != SizeScale::Phi && mentions(Topic::NoDiameter, spaced_words(text));
 }

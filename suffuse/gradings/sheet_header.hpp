@@ -51,6 +51,9 @@ std::optional<double> dry_mass_in(const Sheet& sheet, const SheetRow& row);
 /// The dry mass that the rows agree on; empty where they state none, or several.
 std::optional<double> find_dry_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows);
 
+/// Where a mass is stated that is not known to be that of the whole sample, as "Weight (g),500", or one of several.
+std::optional<Place> find_unused_mass(const Sheet& sheet, const std::vector<const SheetRow*>& rows);
+
 /// "Sizes in um", "Grain size: mm": the last one that the rows from `begin` to before `end` give, else the one before.
 StatedUnit find_size_unit(const Sheet& sheet, std::size_t begin, std::size_t end, const StatedUnit& before = {});
 

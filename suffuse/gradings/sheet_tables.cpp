@@ -179,6 +179,7 @@ private:
             table_.name = name.empty() ? table_.name : name;
         }
         table_.dry = find_dry_mass(sheet_, titles);
+        table_.unused_mass = table_.dry ? std::nullopt : find_unused_mass(sheet_, titles);
         for (std::size_t k = first_; k < end_ && k <= header_; ++k) {
             table_.is_hydrometer = table_.is_hydrometer || names_hydrometer(sheet_.rows[k]);
         }

@@ -22,10 +22,11 @@ struct SheetTable {
     Sheet sheet;                           ///< its titles, headings and values
     std::optional<GradingColumns> columns; ///< where they are known: of a turned table
     TableNotes notes;
-    std::string name;           ///< of its sample, from a title; may be empty
-    bool is_hydrometer = false; ///< a title says so: it goes on where sieves end
-    std::optional<double> dry;  ///< mass of the whole sample by a title [kg]
-    StatedUnit size_unit = {};  ///< by a title or a comment
+    std::string name;                      ///< of its sample, from a title; may be empty
+    bool is_hydrometer = false;            ///< a title says so: it goes on where sieves end
+    std::optional<double> dry;             ///< mass of the whole sample by a title [kg]
+    std::optional<Place> unused_mass = {}; ///< a mass in a title that may be that, where none is
+    StatedUnit size_unit = {};             ///< by a title or a comment
 };
 
 /// At least one.

@@ -31,7 +31,7 @@ bool is_soil_but_for_cells(
     const Sheet& sheet, std::size_t first_row, const SizeColumn& size, std::size_t column, ShareMeaning meaning
 ) {
     constexpr double most = 100.5, nearly_all = 0.9; // of percents that were rounded; what passes the coarsest sieve
-    constexpr std::size_t least = 3, most_rows = 2000;
+    constexpr std::size_t least = 3, most_rows = 300;
     std::vector<std::pair<double, double>> points;
     std::size_t cells = 0;
     for (const SheetRow* row : value_rows(sheet, first_row)) {
