@@ -101,6 +101,11 @@ constexpr std::array code_table = {
         "The reader interpreted or skipped something in the sheet: a pan, a total, a sieve that was not used, plain "
         "numbers that are sieve numbers. If the sentence is true, nothing is wrong."},
     Code{
+        "W509", "named columns that end above the last line",
+        "A line has no value in the columns that were named, and the lines from there on are not read. `--rows` "
+        "selects "
+        "other lines."},
+    Code{
         "E509", "several samples in one file",
         "A soil of a case has one grading, and the file holds several. `suffuse new --psd FILE --sample NAME` writes a "
         "case with one of them; `suffuse assess FILE` judges all."},

@@ -226,7 +226,7 @@ private:
                 break;
             }
             if (!is_value(*row)) {
-                problems_.warning(sheet_remark, row->place, stopped_reading);
+                problems_.warning(columns_end, row->place, "the named columns are read down to this line");
                 break;
             }
             table.sheet.rows.push_back(cut(*row));

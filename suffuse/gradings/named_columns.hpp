@@ -9,8 +9,8 @@
 
 namespace suffuse::gradings {
 
-/// What a remark says where the named columns end above the last line.
-constexpr const char* stopped_reading = "the named columns are read down to this line";
+/// Code of the remark that the named columns end above the last line.
+constexpr const char* columns_end = "W509";
 
 /// The named columns as a table of their own, with the columns of samples next to them. Empty where the sheet has no
 /// such column, or the options contradict each other, which is reported.

@@ -268,12 +268,6 @@ std::vector<NamedGrading> parse_text(
     return is_good ? gradings : std::vector<NamedGrading>{};
 }
 
-bool says(const Problems& problems, std::string_view words) {
-    return std::ranges::any_of(problems.sorted(), [words](const Diagnostic& one) {
-        return one.message.find(words) != std::string::npos;
-    });
-}
-
 /// Whether it is open which columns are read as what; a cell that is wrong is mended in the sheet.
 bool may_be_named(const Problems& problems) {
     return std::ranges::none_of(problems.sorted(), [](const Diagnostic& one) {
@@ -295,7 +289,9 @@ std::string find_command(const std::shared_ptr<const Source>& text, CurveEnds en
             Problems unheard;
             const bool is_other = !commands.empty() && (guess.size != size || own != share);
             const bool is_read = !is_other && !parse_text(text, text->name, ends, guess, unheard).empty();
-            if (is_read && !says(unheard, stopped_reading)) { // of a second table it would read nothing
+            const auto remarks = unheard.sorted();
+            const bool is_half = std::ranges::find(remarks, columns_end, &Diagnostic::code) != remarks.end();
+            if (is_read && !is_half) { // of a second table it would read nothing
                 ReadingOptions shown = guess;
                 shown.size = is_unit_open ? guess.size.substr(0, guess.size.find(':')) + ":UNIT" : guess.size;
                 commands.push_back(command_words(shown));
