@@ -46,15 +46,34 @@ void add_erosion(const Stages& stages, const casefile::Variant& sample, Results&
     }
 }
 
-/// Of fines of one soil that travel with the water, where no erosion by rules has eroded the sample.
-void add_migration(const record::FinishedStage& stage, Results& to) {
-    const auto& migration = stage.findings.migration;
-    if (migration && migration->filter.filter_d15 == 0 && !to.contains(Result::ErodedMass)) {
-        const nlohmann::json& n = stage.numbers;
-        to.emplace(Result::ErodedMass, n.at("eroded_share_of_solids").get<double>());
+bool follows(const record::FinishedStage& stage, const record::FinishedStage& earlier) {
+    const std::vector<casefile::Stage>& all = stage.variant->stages;
+    int row = stage.stage->parent;
+    while (row >= 0 && &all[static_cast<std::size_t>(row)] != earlier.stage) {
+        row = all[static_cast<std::size_t>(row)].parent;
+    }
+    return row >= 0;
+}
+
+/// Of fines of one soil that travel with the water, in a stage and those that follow it, where no erosion by rules has
+/// eroded the sample. What leaves after water has brought fines is not known to be the soil's own.
+void add_migrations(const Stages& stages, const casefile::Variant& sample, Results& to) {
+    const record::FinishedStage *first = nullptr, *last = nullptr;
+    double lost = 0;
+    for (const record::FinishedStage& stage : stages) {
+        const auto& migration = stage.findings.migration;
+        if (stage.variant == &sample && migration && migration->filter.filter_d15 == 0 &&
+            (last == nullptr || (follows(stage, *last) && last->numbers.at("fed_mass_share") == 0))) {
+            first = first == nullptr ? &stage : first;
+            last = &stage;
+            lost += (1 - lost) * stage.numbers.at("eroded_share_of_solids").get<double>();
+        }
+    }
+    if (last != nullptr && !to.contains(Result::ErodedMass)) {
+        to.emplace(Result::ErodedMass, lost);
         to.emplace(
-            Result::PermeabilityChange,
-            n.at("permeability_after").get<double>() / n.at("permeability_before").get<double>()
+            Result::PermeabilityChange, last->numbers.at("permeability_after").get<double>() /
+                                            first->numbers.at("permeability_before").get<double>()
         );
     }
 }
@@ -129,11 +148,7 @@ Results results_of_sample(const Stages& stages, const casefile::Variant& sample)
         }
     }
     add_erosion(stages, sample, found);
-    for (const record::FinishedStage& stage : stages) {
-        if (stage.variant == &sample) {
-            add_migration(stage, found);
-        }
-    }
+    add_migrations(stages, sample, found);
     return found;
 }
 

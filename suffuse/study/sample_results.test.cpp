@@ -1,0 +1,55 @@
+#include "suffuse/study/sample_results.hpp"
+
+#include <gtest/gtest.h>
+
+namespace suffuse::study {
+namespace {
+
+/// initial -> first -> second, and another migration from the initial state.
+struct Migrations {
+    casefile::Study study;
+    casefile::Variant variant;
+    std::vector<record::FinishedStage> stages;
+
+    explicit Migrations(double fed) {
+        const auto add = [&](const char* name, casefile::StageSpec spec, int parent) {
+            casefile::Stage stage{.name = name, .spec = std::move(spec)};
+            stage.parent = parent;
+            variant.stages.push_back(std::move(stage));
+        };
+        add("initial", packing::CompactSpec{}, -1);
+        add("first", erosion::MigrateSpec{}, 0);
+        add("other", erosion::MigrateSpec{}, 0);
+        add("second", erosion::MigrateSpec{}, 1);
+        const auto numbers = [](double eroded, double fed_share, double before, double after) {
+            return nlohmann::json{
+                {"eroded_share_of_solids", eroded}, {"fed_mass_share", fed_share}, {"permeability_before", before},
+                {"permeability_after", after},      {"mean_stress", 1e5},          {"void_ratio", nullptr}};
+        };
+        const std::vector<nlohmann::json> all = {
+            numbers(0, 0, 1, 1), numbers(0.1, fed, 2, 3), numbers(0.4, 0, 2, 9), numbers(0.2, 0, 3, 5)};
+        for (std::size_t k = 0; k < variant.stages.size(); ++k) {
+            stages.push_back({&study, &variant, &variant.stages[k], all[k], {}});
+            if (k > 0) {
+                stages.back().findings.migration = erosion::MigrationResult{};
+            }
+        }
+    }
+
+    [[nodiscard]] std::map<Result, double> results() const { return results_of_sample(stages, variant); }
+};
+
+TEST(SampleResults, OfMigrationsThatFollowEachOtherAreOfAllOfThem) {
+    const auto found = Migrations(0).results();
+    EXPECT_NEAR(found.at(Result::ErodedMass), 1 - 0.9 * 0.8, 1e-12);
+    EXPECT_NEAR(found.at(Result::PermeabilityChange), 2.5, 1e-12);
+}
+
+TEST(SampleResults, OfAMigrationEndWhereTheWaterBroughtFines) {
+    const auto found = Migrations(0.3).results();
+    EXPECT_NEAR(found.at(Result::ErodedMass), 0.1, 1e-12);
+    EXPECT_NEAR(found.at(Result::PermeabilityChange), 1.5, 1e-12);
+}
+
+} // namespace
+} // namespace suffuse::study
