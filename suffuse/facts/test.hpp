@@ -67,7 +67,8 @@ inline constexpr std::tuple compression{
     )
         .as(Shown{"compression index", "Cc", "-", 3}),
     row<&triaxial::CompressionNumbers::swelling_index>(
-        "swelling_index", "-", "−de/dlog₁₀σ while the stress falls; null where it never does"
+        "swelling_index", "-",
+        "−de/dlog₁₀σ while the stress falls: one slope of all such branches; null where it never does"
     )
         .as(Shown{"swelling index", "Cs", "-", 3}),
 };

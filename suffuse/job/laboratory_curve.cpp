@@ -75,13 +75,31 @@ Values since_start(Values values) {
     return values;
 }
 
+/// A stress, less the pore pressure where its heading calls it total and `as_effective` is wanted.
+Values stress_of(const Readings& readings, Quantity quantity, bool as_effective) {
+    Values stress = readings.of(quantity);
+    if (as_effective && !readings.find(quantity)->is_effective.value_or(true)) {
+        std::ranges::transform(stress, readings.of(Quantity::PorePressure), stress.begin(), std::minus());
+    }
+    return stress;
+}
+
+/// Of stresses of which one is effective and the other total, both are taken as effective.
 Values deviator_of(const Readings& readings) {
     if (readings.find(Quantity::DeviatorStress) != nullptr) {
         return readings.of(Quantity::DeviatorStress);
     }
-    Values axial = readings.of(Quantity::AxialStress);
-    std::ranges::transform(axial, readings.of(Quantity::RadialStress), axial.begin(), std::minus());
-    return axial;
+    const auto is_effective = [&](Quantity quantity) {
+        const laboratory::TestColumn* column = readings.find(quantity);
+        return column != nullptr ? column->is_effective : std::nullopt;
+    };
+    const auto axial = is_effective(Quantity::AxialStress), radial = is_effective(Quantity::RadialStress);
+    const bool are_mixed = axial && radial && *axial != *radial;
+    Values deviator = stress_of(readings, Quantity::AxialStress, are_mixed);
+    std::ranges::transform(
+        deviator, stress_of(readings, Quantity::RadialStress, are_mixed), deviator.begin(), std::minus()
+    );
+    return deviator;
 }
 
 /// Effective mean stress: measured, or what the pore water leaves of the pressure of the start.
@@ -147,6 +165,14 @@ CurveForm strain_form(const Readings& readings, const Values& strain, const Cali
 void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
     constexpr double no_volume = 2e-3; // of strain, where water can neither enter nor leave
     constexpr double steepest = 20;    // q over the lateral stress: a friction angle of 65 degrees
+    constexpr double isotropic = 0.1;  // q at the start over that stress, of seating
+    if (const double first = deviator_of(readings).front(); std::abs(first) > isotropic * target.pressure) {
+        readings.complain(fmt::format(
+            "begins at q = {:.4g} kPa, and the test that it is compared with begins at rest under `pressure` = {:.4g} "
+            "kPa alone: take a record that does, or leave out what is before",
+            first / 1e3, target.pressure / 1e3
+        ));
+    }
     if (target.test == CalibrateTest::Undrained) {
         if (readings.find(Quantity::VolumetricStrain) == nullptr) {
             return;
@@ -162,6 +188,13 @@ void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
             ));
         }
     } else {
+        if (readings.find(Quantity::VolumetricStrain) != nullptr &&
+            std::ranges::all_of(since_start(readings.of(Quantity::VolumetricStrain)), [](double strain) {
+                return strain == 0;
+            })) {
+            readings.complain("has a volumetric strain that never changes, as if it was not measured: leave it out, or "
+                              "write test = \"undrained\"");
+        }
         const double most = std::ranges::max(deviator_of(readings));
         if (most > steepest * target.pressure) {
             readings.complain(fmt::format(
@@ -207,7 +240,8 @@ void append_compression(Values& curve, const Values& grid, const Values& stress,
 }
 
 LaboratoryCurve oedometer_curve(const Readings& readings, const CalibrateTarget& target) {
-    Values stress = readings.of(Quantity::AxialStress), strain;
+    const bool has_water = readings.find(Quantity::PorePressure) != nullptr;
+    Values stress = stress_of(readings, Quantity::AxialStress, has_water), strain;
     if (readings.find(Quantity::AxialStrain) != nullptr) {
         strain = readings.of(Quantity::AxialStrain);
     } else {
@@ -225,6 +259,14 @@ LaboratoryCurve oedometer_curve(const Readings& readings, const CalibrateTarget&
     stress.resize(count), strain.resize(count);
     if (most <= 1.2 * target.pressure) {
         readings.complain("has no axial stress well above `pressure`, where its curve is to begin");
+    }
+    constexpr double seating = 1.02;
+    if (stress.front() > seating * target.pressure) {
+        readings.complain(fmt::format(
+            "begins at {:.4g} kPa, above the `pressure` of {:.4g} kPa where its curve is to begin: what it strained "
+            "before is not known; write the stress of its first reading as `pressure`",
+            stress.front() / 1e3, target.pressure / 1e3
+        ));
     }
     LaboratoryCurve curve;
     for (int k = 0; k < stresses_of_grid; ++k) {

@@ -112,6 +112,48 @@ TEST(LaboratoryCurve, IsRefusedWhereItsTestCannotHaveIt) {
     EXPECT_EQ(refusal_of(target), "");
 }
 
+std::string refusal_of_text(const std::string& text, CalibrateTest test) {
+    try {
+        curve_of(text, target_of(test));
+    } catch (const CaseError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(LaboratoryCurve, IsRefusedWhereItsTestBeganElsewhere) {
+    std::string sheared = "axial strain [%],q [kPa]\n", constant = "axial strain [%],q [kPa],volumetric strain [%]\n";
+    for (int k = 0; k <= 10; ++k) {
+        sheared += fmt::format("{},{}\n", k, 50 + 5 * k);
+        constant += fmt::format("{},{},0\n", k, 10 * k);
+    }
+    EXPECT_NE(
+        refusal_of_text(sheared, CalibrateTest::Drained).find("begins at q = 50 kPa, and the test"), std::string::npos
+    );
+    EXPECT_NE(
+        refusal_of_text(constant, CalibrateTest::Drained).find("volumetric strain that never changes"),
+        std::string::npos
+    );
+    const std::string late = "axial stress [kPa],axial strain [%]\n150,0\n300,1\n600,2\n";
+    EXPECT_NE(
+        refusal_of_text(late, CalibrateTest::Oedometer).find("begins at 150 kPa, above the `pressure` of 100 kPa"),
+        std::string::npos
+    );
+}
+
+TEST(LaboratoryCurve, OfTotalAndEffectiveStressesIsThatOfTheEffectiveOnes) {
+    std::string text =
+        "axial strain [%],effective axial stress [kPa],total radial stress [kPa],pore pressure u [kPa]\n";
+    std::string loaded = "total axial stress [kPa],axial strain [%],pore pressure u [kPa]\n";
+    for (int k = 0; k <= 10; ++k) {
+        text += fmt::format("{},{},300,200\n", k, 100 + 20 * k);
+        loaded += fmt::format("{},{},50\n", 150 + 40 * k, 0.1 * k);
+    }
+    const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Drained));
+    EXPECT_NEAR(curve.values[11], 2, 1e-12) << "q = 200 kPa over 100 kPa";
+    EXPECT_NEAR(curve_of(loaded, target_of(CalibrateTest::Oedometer)).form.grid.back(), 500e3, 1e-6);
+}
+
 TEST(LaboratoryCurve, OfAnUndrainedTestHasTheEffectiveMeanStressThatWaterLeaves) {
     std::string text = "axial strain [%],q [kPa],pore pressure u [kPa]\n";
     for (int k = 0; k <= 10; ++k) {

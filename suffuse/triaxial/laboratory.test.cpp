@@ -280,6 +280,13 @@ TEST(CompressionNumbers, AreTheSlopesOfFirstLoadingAndOfUnloading) {
     EXPECT_NEAR(*numbers.compression_index, 0.2, 1e-12);
     EXPECT_NEAR(*numbers.swelling_index, 0.02, 1e-12);
     EXPECT_NEAR(*numbers.k0, 0.4, 1e-12);
+    for (const double stress : {8e5, 1.6e6}) { // on, and down again: a line of its own
+        rows.push_back(row_of(stress, first(stress)));
+    }
+    for (const double stress : {8e5, 4e5}) {
+        rows.push_back(row_of(stress, first(1.6e6) - 0.02 * std::log10(stress / 1.6e6)));
+    }
+    EXPECT_NEAR(*compression_numbers(spec, rows).swelling_index, 0.02, 1e-12);
     rows.resize(5);
     EXPECT_FALSE(compression_numbers(spec, rows).swelling_index);
     EXPECT_FALSE(compression_numbers(IsotropicSpec{}, rows).k0);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
+#include <vector>
 
 namespace suffuse::triaxial {
 namespace {
@@ -18,18 +18,27 @@ bool has_grown(double from, double to) {
     return to > (1 + good_hold_error) * from;
 }
 
-/// -de/dlog10 of the axial stress, by least squares; nothing where that is the same in all rows.
-std::optional<double> index_of(std::span<const PathRow* const> rows, int axis) {
-    double x = 0, y = 0, xx = 0, xy = 0;
-    double least = std::numeric_limits<double>::infinity(), most = 0;
-    const auto count = static_cast<double>(rows.size());
-    for (const PathRow* row : rows) {
-        const double stress = std::log10(row->stress(axis, axis));
-        least = std::min(least, row->stress(axis, axis)), most = std::max(most, row->stress(axis, axis));
-        x += stress, y += row->void_ratio, xx += stress * stress, xy += stress * row->void_ratio;
+using Branch = std::vector<const PathRow*>;
+
+/// -de/dlog10 of the axial stress, by least squares: one slope of all branches, each about its own mean, for between
+/// two of them the sample was compressed. Nothing where the stress is the same throughout each.
+std::optional<double> index_of(const std::vector<Branch>& branches, int axis) {
+    double spread = 0, together = 0;
+    for (const Branch& branch : branches) {
+        double x = 0, y = 0, xx = 0, xy = 0;
+        double least = std::numeric_limits<double>::infinity(), most = 0;
+        for (const PathRow* row : branch) {
+            const double stress = std::log10(row->stress(axis, axis));
+            least = std::min(least, row->stress(axis, axis)), most = std::max(most, row->stress(axis, axis));
+            x += stress, y += row->void_ratio, xx += stress * stress, xy += stress * row->void_ratio;
+        }
+        const auto count = static_cast<double>(branch.size());
+        if (has_grown(least, most)) {
+            spread += xx - x * x / count;
+            together += xy - x * y / count;
+        }
     }
-    const double spread = count * xx - x * x;
-    return has_grown(least, most) ? std::optional(-(count * xy - x * y) / spread) : std::nullopt;
+    return spread > 0 ? std::optional(-together / spread) : std::nullopt;
 }
 
 double ratio_of(const TriaxialSpec& spec, const PathRow& row) {
@@ -42,22 +51,29 @@ double ratio_of(const TriaxialSpec& spec, const PathRow& row) {
 CompressionNumbers compression_numbers(const TriaxialSpec& spec, const std::vector<PathRow>& rows) {
     const auto axial = [&](const PathRow& row) { return row.stress(spec.axis, spec.axis); };
     const PathRow& highest = *std::ranges::max_element(rows, {}, axial);
-    std::vector<const PathRow*> loads, unloads;
+    Branch loads;
+    std::vector<Branch> unloads; // each from where it turns
+    bool falls = false;
     double most = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
         if (axial(rows[k]) > most && axial(rows[k]) * first_loading_span >= axial(highest)) {
             loads.push_back(&rows[k]); // reloading below the highest stress of before is none
         }
         most = std::max(most, axial(rows[k]));
-        if (k > 0 && axial(rows[k]) < axial(rows[k - 1])) {
-            unloads.push_back(&rows[k]);
+        const bool fell = falls;
+        falls = k > 0 && axial(rows[k]) < axial(rows[k - 1]);
+        if (falls && !fell) {
+            unloads.push_back({&rows[k - 1]});
+        }
+        if (falls) {
+            unloads.back().push_back(&rows[k]);
         }
     }
     CompressionNumbers numbers;
     if (spec.path != Path::Isotropic && has_grown(axial(rows.front()), axial(highest))) {
         numbers.k0 = lateral_mean(highest.stress, spec.axis) / axial(highest);
     }
-    numbers.compression_index = index_of(loads, spec.axis);
+    numbers.compression_index = index_of({loads}, spec.axis);
     numbers.swelling_index = index_of(unloads, spec.axis);
     return numbers;
 }

@@ -10,8 +10,8 @@
 namespace suffuse::triaxial {
 
 /// Of an oedometer or of isotropic compression. Indices are the slopes of e against log10 of the axial stress by least
-/// squares: of first loading over its last half decade, of swelling over all rows in which the stress falls. A change
-/// of stress within what a test may be off is none.
+/// squares: of first loading over its last half decade, of swelling one slope of all branches in which the stress
+/// falls. A change of stress within what a test may be off is none.
 struct CompressionNumbers {
     std::optional<double> k0; ///< at the highest axial stress; nothing where it never loads, or isotropic
     std::optional<double> compression_index; ///< C_c [-]; nothing where the test never loads
