@@ -61,7 +61,7 @@ def test_an_oedometer_out_of_reach_names_its_axial_stress(settled):
 
 def test_grains_far_within_one_another_are_no_sample():
     place = numpy.random.default_rng(0).random((50, 3)) * 1e-2
-    crowd = suffuse.World([1e-2] * 3, place, numpy.full(50, 3e-3))
+    crowd = suffuse.World([1e-2] * 3, place, numpy.full(50, 2e-3))
     for test in (crowd.triaxial, crowd.stiffness, crowd.stress_probe, lambda: crowd.oedometer([2e5])):
         with pytest.raises(suffuse.StateError, match="overlap by .* % of the smaller radius in the mean"):
             test()

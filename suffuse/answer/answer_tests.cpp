@@ -1,6 +1,7 @@
 #include "suffuse/answer/answer_tests.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/strength_pairs.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
@@ -92,7 +93,8 @@ std::vector<ReportedTest> gather_reported_tests(
 ) {
     std::vector<ReportedTest> tests;
     for (const record::FinishedStage& stage : stages) {
-        if (!stage.numbers.contains("response") || !is_reported_alone(stage, strength)) {
+        const bool is_compression = study::test_of_strength(*stage.stage) != nullptr;
+        if (!is_compression || !stage.numbers.contains("response") || !is_reported_alone(stage, strength)) {
             continue;
         }
         const std::string name = name_of_test(stage);

@@ -90,10 +90,16 @@ std::string distance_text(const MobilityStory& story) {
     return story.moved == 0.5 ? "half a diameter" : short_number(story.moved, 2) + " diameters";
 }
 
+/// A lower bound, which rounding does not raise.
+std::string bound_text(double least) {
+    constexpr double rounding = 1e-9;
+    return fixed(std::floor(10 * least + rounding) / 10, 1);
+}
+
 /// "factor of safety 1.5 before 1 % move half a diameter": the number, and what it rests on.
 std::string safety_text(const MobilityStory& story) {
     const std::string factor = !is_met(story.safety, story)
-                                   ? fmt::format("at least {:.1f}", story.safety_at_least.value_or(0))
+                                   ? "at least " + bound_text(story.safety_at_least.value_or(0))
                                : story.safety.standard_deviation > 0
                                    ? fmt::format("{:.1f} ± {:.1f}", story.safety.mean, story.safety.standard_deviation)
                                    : fmt::format("{:.1f}", story.safety.mean);
@@ -172,12 +178,21 @@ Headline safety_headline(const MobilityStory& story) {
     Headline headline{"", fmt::format("Factor of safety before 1 % move {}", distance_text(story)), ""};
     const double specified = *story.specified_gradient;
     if (!is_met(story.safety, story)) {
-        headline.value = "≥ " + fixed(*story.safety_at_least, 1);
+        headline.value = "≥ " + bound_text(*story.safety_at_least);
         headline.detail = fmt::format(
             "{} before 1 % of the fines move; specified {:.2f}",
             goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
         );
-        headline = with_certainty(std::move(headline), story.of_sample.size());
+        if (const std::size_t samples = story.of_sample.size(); samples < 2) {
+            headline = with_certainty(std::move(headline), samples);
+        } else {
+            headline.detail += fmt::format("; the least of {} samples", count_in_words(samples));
+        }
+        if (story.safety.seeds > 0) {
+            headline.detail += fmt::format(
+                ", of which {} moves 1 % before", count_in_words(static_cast<std::size_t>(story.safety.seeds))
+            );
+        }
     } else if (story.safety.seeds > 1) {
         headline.value = fixed(story.safety.mean, 1);
         headline.spread = spread_text(story.safety, 1, 1);

@@ -117,6 +117,19 @@ TEST(MobilityWords, SayWhatIsKnownWhereTheRampEndsBefore) {
     EXPECT_NE(card.caution.find("heaves before"), std::string::npos) << card.caution;
 }
 
+TEST(MobilityWords, BoundTheFactorOfSafetyByAllSamplesAlsoByThoseThatMoved) {
+    erosion::MobilityResult still = upward(), moved = upward();
+    still.moves_1.reset(), still.moves_10.reset();
+    still.ramp.back().mobile_mass_share = 0.004;
+    moved.moves_1 = 0.75 * *moved.specified_gradient;
+    const study::MobilityStory story = story_of({still, moved, still}).front();
+    EXPECT_NEAR(*story.safety_at_least, 0.75, 1e-12) << "less than the bound of the others";
+    const Headline card = mobility_headlines(story).front();
+    EXPECT_EQ(card.value, "≥ 0.7") << "rounding does not raise it";
+    EXPECT_NE(card.detail.find("the least of three samples, of which one moves 1 % before"), std::string::npos)
+        << card.detail;
+}
+
 TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
     erosion::MobilityResult creeping = upward();
     creeping.ramp = {

@@ -181,15 +181,17 @@ std::string range_of(
 
 /// Of many: how many fared how.
 std::string describe_all(const std::vector<study::StrengthChange>& changes) {
-    std::size_t weaker = 0, stronger = 0;
+    std::size_t weaker = 0, stronger = 0, unknown = 0;
     for (const study::StrengthChange& change : changes) {
+        unknown += change.borne().change.seeds == 0 ? 1 : 0;
         weaker += change.is_weaker() == true ? 1 : 0;
         stronger += change.is_weaker() == false ? 1 : 0;
     }
     const std::string text = fmt::format(
         "Of {} comparisons of a test before and after the loss of fines (table “{}”), {} find the soil weaker, {} "
-        "stronger, and {} no change beyond the scatter of samples",
-        changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger
+        "stronger, and {} no change beyond the scatter of samples{}",
+        changes.size(), title_of_table, weaker, stronger, changes.size() - weaker - stronger - unknown,
+        unknown > 0 ? fmt::format("; {} cannot be compared", unknown) : ""
     );
     return text + range_of(changes, &study::StrengthChange::peak_deviator, "the highest deviator stress") +
            range_of(changes, &study::StrengthChange::pore_pressure, "the excess pore pressure borne") + ".";

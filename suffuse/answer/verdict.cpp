@@ -180,6 +180,11 @@ std::optional<std::string> describe_change_of_strength(const std::vector<study::
 
 std::vector<std::string> describe_erosion(const RunResults& results, const OutcomePoint* point) {
     std::vector<std::string> lines = {describe_eroded(results, point)};
+    if (const auto& passes = results.story.erosion.passes; !passes.empty() && passes.back().failed) {
+        lines.push_back(
+            fmt::format("After pass {} the skeleton does not carry its stresses any more.", passes.back().pass)
+        );
+    }
     for (std::optional<std::string> line :
          {describe_permeability(results, point), describe_change_of_strength(results.strength)}) {
         if (line) {
@@ -217,14 +222,17 @@ std::vector<std::string> describe_probe(const RunResults& results) {
 
 std::vector<std::string>
 describe_removal(const OutcomePoint& point, const std::vector<study::StrengthChange>& strength) {
-    const double strain = point.find(Result::RemovalStrain)->mean;
+    const Scatter* const strain = point.find(Result::RemovalStrain);
     std::vector<std::string> lines = {fmt::format(
         "Fines of {} of the mass are taken out without water.", percent_text(point.find(Result::RemovedMass)->mean)
     )};
     lines.push_back(
-        std::abs(strain) < 5e-4
+        strain == nullptr ? std::string("The skeleton collapses: it strains beyond `max_strain`.")
+        : std::abs(strain->mean) < 5e-4
             ? "The soil keeps its volume."
-            : fmt::format("The soil {} by {}.", strain > 0 ? "contracts" : "dilates", percent_text(std::abs(strain)))
+            : fmt::format(
+                  "The soil {} by {}.", strain->mean > 0 ? "contracts" : "dilates", percent_text(std::abs(strain->mean))
+              )
     );
     if (auto line = describe_change_of_strength(strength)) {
         lines.push_back(std::move(*line));

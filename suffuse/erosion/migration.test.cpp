@@ -232,7 +232,9 @@ TEST(Migration, EndsWithItsBudgetAndSaysSo) {
     ASSERT_EQ(in_time.result.holds.size(), 1U);
     EXPECT_FALSE(in_time.result.holds.front().ended);
     EXPECT_EQ(in_time.result.holds.front().ended_by, HoldEnd::TimeLimit);
-    EXPECT_EQ(in_time.cut_by, HoldEnd::None) << "no gradient is left out";
+    EXPECT_EQ(in_time.cut_by, HoldEnd::TimeLimit);
+    spec.gradients.resize(1);
+    EXPECT_EQ(migrate(cubic_lattice(5), spec).cut_by, HoldEnd::None) << "no gradient is left out";
     spec.time_at_most.reset();
     spec.steps_at_most = 1;
     const Migration in_steps = migrate(cubic_lattice(5), spec);

@@ -65,13 +65,17 @@ void compare_samples(MobilityStory& story) {
             return is_lower_bound(*m, *m->specified_gradient);
         });
     }
+    double least = std::numeric_limits<double>::infinity();
+    bool is_bound = false;
     for (const MobilityResult* mobility : story.of_sample) {
-        const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(*mobility);
-        if (safety && !safety->factor) {
-            story.safety_at_least =
-                std::min(story.safety_at_least.value_or(std::numeric_limits<double>::infinity()), safety->at_least);
+        if (const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(*mobility)) {
+            least = std::min(least, safety->at_least);
+            is_bound = is_bound || !safety->factor;
         }
         story.sifts = story.sifts || mobility->sifts;
+    }
+    if (is_bound) {
+        story.safety_at_least = least;
     }
 }
 

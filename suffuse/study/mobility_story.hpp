@@ -25,7 +25,7 @@ struct MobilityStory {
     Scatter moved_at_specified;               ///< share of the fines' mass [-]
     bool moved_at_specified_at_least = false; ///< of one sample at least it is a lower bound
     std::optional<double> specified_gradient; ///< the same for all
-    std::optional<double> safety_at_least;    ///< where a ramp ends before it moves 1 %: the least of the samples
+    std::optional<double> safety_at_least;    ///< where a ramp ends before it moves 1 %: the least of all samples
     bool sifts = false;                       ///< in one of them at least
     double hold_at_most = 100;                ///< of a gradient under which motion does not end, in units of time [-]
     double moved = 0.5;                       ///< along the flow, beyond which a grain counts as mobile [diameters]

@@ -3,6 +3,7 @@
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/study/erosion_story.hpp"
+#include "suffuse/study/strength_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ void add_erosion(const Stages& stages, const casefile::Variant& sample, Results&
     if (const erosion::PassResult* const worst = erosion::pass_of_largest_loss(erosion)) {
         to.emplace(Result::StressChange, -std::max(0.0, *erosion::stress_loss(*worst)));
     }
-    if (const auto change = erosion::permeability_change(erosion)) {
+    if (const auto change = erosion::permeability_change(erosion); change && !erosion.passes.back().failed) {
         to.emplace(Result::PermeabilityChange, *change);
     }
 }
@@ -82,14 +83,15 @@ void add_removal(const record::FinishedStage& stage, Results& to) {
     const nlohmann::json& n = stage.numbers;
     if (std::holds_alternative<erosion::RemoveSpec>(stage.stage->spec) && n.contains("passes") && n.at("removed") > 0) {
         to.emplace(Result::RemovedMass, n.at("removed_mass_share").get<double>());
-        to.emplace(Result::RemovalStrain, n.at("volumetric_strain").get<double>());
+        if (!n.value("failed", false)) { // else how far it went is ours: `max_strain`
+            to.emplace(Result::RemovalStrain, n.at("volumetric_strain").get<double>());
+        }
     }
 }
 
 void add_test(const record::FinishedStage& stage, Results& to) {
-    const auto* test = std::get_if<triaxial::TriaxialSpec>(&stage.stage->spec);
-    if (test != nullptr && !test->stops_at_stress() && test->path != triaxial::Path::ConstantDeviator &&
-        stage.numbers.contains("response")) {
+    const triaxial::TriaxialSpec* test = test_of_strength(*stage.stage);
+    if (test != nullptr && test->path != triaxial::Path::ConstantDeviator && stage.numbers.contains("response")) {
         to.emplace(Result::Strength, stage.numbers.at("response").at("peak_deviator").get<double>());
     }
 }
@@ -122,13 +124,15 @@ std::optional<PermeabilityAfter>
 permeability_after(const erosion::ErosionResult& erosion, flow::Conductance conductance) {
     constexpr double open_packing = 0.55; // validation/permeability.md: Yade's law is too permeable below
     const std::optional<double> change = erosion::permeability_change(erosion);
-    if (!change) {
+    if (!change || erosion.passes.back().failed) { // of a skeleton that goes on collapsing
         return std::nullopt;
     }
     const erosion::PassResult& last = erosion.passes.back();
     PermeabilityAfter found{erosion.passes.front().permeability_before, last.permeability_after, *change, {}, false};
     const flow::FlowSource& source = last.flow_after;
-    found.known_error = source.known_error.permeability;
+    const std::optional<double> before = erosion.passes.front().probe.flow.known_error.permeability;
+    const std::optional<double> after = source.known_error.permeability;
+    found.known_error = before && after ? std::optional(std::max(*before, *after)) : std::nullopt;
     const bool is_open = conductance == flow::Conductance::Yade && 1 - last.porosity_after < open_packing;
     const bool is_raised = source.raised_by_fines.value_or(0) > flow::most_raised && !source.is_limited;
     found.is_too_high = source.solver == flow::Solver::Network && (is_raised || is_open);

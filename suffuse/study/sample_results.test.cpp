@@ -51,5 +51,18 @@ TEST(SampleResults, OfAMigrationEndWhereTheWaterBroughtFines) {
     EXPECT_NEAR(found.at(Result::PermeabilityChange), 1.5, 1e-12);
 }
 
+TEST(SampleResults, OfARemovalThatCollapsesHaveNoStrain) {
+    for (const bool failed : {false, true}) {
+        Migrations sample(0);
+        sample.variant.stages[1].spec = erosion::RemoveSpec{};
+        sample.stages[1].findings.migration.reset();
+        sample.stages[1].numbers.update(
+            {{"passes", 1}, {"removed", 5}, {"removed_mass_share", 0.2}, {"volumetric_strain", 0.6}, {"failed", failed}}
+        );
+        EXPECT_EQ(sample.results().at(Result::RemovedMass), 0.2);
+        EXPECT_EQ(sample.results().contains(Result::RemovalStrain), !failed) << "0.6 is where the run stopped";
+    }
+}
+
 } // namespace
 } // namespace suffuse::study
