@@ -145,7 +145,7 @@ const std::vector<Fact> of_energy = {
 };
 
 const std::vector<Fact> of_stress_probe = {
-    {"stress_probed", "Pa", "3 × 3", ""},
+    {"stress_probed", "Pa", "three numbers, along the axes of the cell", ""},
     {"drift", "-", "[stress probes](theory/stress-probes.md)", ""},
 };
 
