@@ -15,12 +15,13 @@
 
 #include "apps/alpha_of_run.hpp"
 #include "apps/assess_advice.hpp"
-#include "apps/complaint.hpp"
 #include "apps/exit_code.hpp"
+#include "apps/failed_files.hpp"
 #include "apps/grading_input.hpp"
 #include "apps/json_text.hpp"
 #include "apps/playground.hpp"
 #include "apps/shared_options.hpp"
+#include "apps/show_readings.hpp"
 #include "apps/stability_pages.hpp"
 #include "apps/typed_value.hpp"
 #include "apps/verb.hpp"
@@ -187,39 +188,6 @@ stability::AssessSpec spec_of(const AssessVerb& verb) {
     return spec;
 }
 
-/// Files of several that could not be read or judged: each is reported, and the others are judged.
-struct FailedFiles {
-    json errors = json::array();
-    int code = Done; ///< of the first
-
-    /// Works at one of the verb's files. Alone, it fails as any other.
-    template <class Work>
-    void attempt(const AssessVerb& verb, const std::string& file, const Console& console, Work work) {
-        const auto report = [&] {
-            if (verb.files.size() == 1) {
-                throw;
-            }
-            ReportedError error = report_current_error(console);
-            error.json["file"] = file;
-            code = code == Done ? error.code : code;
-            errors.push_back(std::move(error.json));
-        };
-        try {
-            work();
-        } catch (const CaseError&) {
-            report();
-        } catch (const IoError&) {
-            report();
-        }
-    }
-
-    void add_to(json& document) const {
-        if (!errors.empty()) {
-            document["errors"] = errors;
-        }
-    }
-};
-
 /// A soil that is to be assessed.
 struct MeasuredSoil {
     std::string file, name;
@@ -255,11 +223,11 @@ std::vector<MeasuredSoil> read_all(
     std::vector<MeasuredSoil> soils;
     for (const std::string& file : verb.files) {
         if (of_case(file)) {
-            failed.attempt(verb, file, console, [&] { add_case_soils(verb, file, spec, console, soils); });
+            failed.attempt(file, console, [&] { add_case_soils(verb, file, spec, console, soils); });
             continue;
         }
         gradings::GradingFile read;
-        failed.attempt(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
+        failed.attempt(file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
         print_remarks(read, console);
         for (const Diagnostic& remark : read.remarks) {
             remarks.push_back(remark_text(remark));
@@ -275,7 +243,7 @@ std::vector<MeasuredSoil> read_all(
 
 /// What could be judged; of `measured` the same is kept.
 std::vector<job::AssessedSoil>
-assess_all(const AssessVerb& verb, std::vector<MeasuredSoil>& measured, const Console& console, FailedFiles& failed) {
+assess_all(std::vector<MeasuredSoil>& measured, const Console& console, FailedFiles& failed) {
     ThreadOption{}.apply();
     std::vector<job::AssessedSoil> soils(measured.size());
     std::vector<std::exception_ptr> errors(measured.size());
@@ -290,7 +258,7 @@ assess_all(const AssessVerb& verb, std::vector<MeasuredSoil>& measured, const Co
     std::size_t kept = 0;
     for (std::size_t k = 0; k < measured.size(); ++k) {
         if (errors[k]) {
-            failed.attempt(verb, measured[k].file, console, [&] { std::rethrow_exception(errors[k]); });
+            failed.attempt(measured[k].file, console, [&] { std::rethrow_exception(errors[k]); });
         } else {
             std::swap(measured[kept], measured[k]);
             std::swap(soils[kept++], soils[k]);
@@ -339,60 +307,21 @@ fs::path page_file(const AssessVerb& verb) {
     return has_one_name ? fs::path(verb.files.front()).stem().string() + "-stability.html" : std::string("assess.html");
 }
 
-json reading_json(const gradings::SheetReading& reading, const json& remarks) {
-    return {{"size", reading.size}, {"unit", reading.size_unit},        {"share", reading.share},
-            {"kind", reading.kind}, {"share_unit", reading.share_unit}, {"flag", reading.flag},
-            {"remarks", remarks}};
-}
-
-/// Prints how each file is read.
-int show_readings(const AssessVerb& verb, const Console& console) {
-    json soils = json::array(), remarks = json::array();
-    FailedFiles failed;
-    for (const std::string& file : verb.files) {
-        gradings::GradingFile read;
-        failed.attempt(verb, file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
-        if (read.soils.empty()) {
-            continue;
-        }
-        print_remarks(read, console);
-        console.result(fmt::format("{}{}", verb.files.size() > 1 ? file + "\n" : "", shown_reading(read)));
-        json of_file = json::array();
-        for (const Diagnostic& remark : read.remarks) {
-            of_file.push_back(remark_text(remark));
-        }
-        for (const gradings::NamedGrading& soil : read.soils) {
-            soils.push_back(
-                {{"file", file},
-                 {"soil", soil.name},
-                 {"reading", reading_json(soil.reading, of_file)},
-                 {"diameter", soil.grading.diameter},
-                 {"passing", soil.grading.passing}}
-            );
-        }
-        remarks.insert(remarks.end(), of_file.begin(), of_file.end());
-    }
-    json document{{"soils", soils}, {"remarks", remarks}};
-    failed.add_to(document);
-    console.document(json_text(document));
-    return failed.code;
-}
-
 int AssessVerb::act(const CommandLine& line, const Console& console) const {
     if (shows_reading) {
-        return show_readings(*this, console);
+        return show_readings(files, sample, reading, console);
     }
     if (!output.empty()) {
         job::require_outside_runs(output);
     }
     const stability::AssessSpec spec = spec_of(*this);
     json remarks = json::array(), list = json::array();
-    FailedFiles failed;
+    FailedFiles failed(files.size());
     std::vector<MeasuredSoil> measured = read_all(*this, spec, console, remarks, failed);
-    std::vector<job::AssessedSoil> soils = assess_all(*this, measured, console, failed);
+    std::vector<job::AssessedSoil> soils = assess_all(measured, console, failed);
     if (soils.empty()) {
-        console.document(json_text({{"soils", list}, {"remarks", remarks}, {"errors", failed.errors}}));
-        return failed.code;
+        console.document(json_text({{"soils", list}, {"remarks", remarks}, {"errors", failed.errors()}}));
+        return failed.code();
     }
     const std::string& first_file = measured.front().file;
     if (!filter.empty()) {
@@ -449,7 +378,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     console.result(text);
     console.talk(next_step(first_file, soils, spec));
     console.document(json_text(document));
-    return failed.code;
+    return failed.code();
 }
 
 } // namespace
