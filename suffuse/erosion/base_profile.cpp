@@ -45,9 +45,12 @@ BaseProfile begin_profile(const dem::World& world, const Stack& stack, const Vec
     const Vec3 along = direction / norm(direction);
     for (std::size_t g = 0; g < world.grains.size(); ++g) {
         if (world.grains.fine[g] == 0) {
-            const double at = dot(world.grains.position[g], along) - stack.interface;
-            const double inside = at - std::floor(at / stack.length) * stack.length;
-            add_sphere(inside, world.grains.radius[g], profile.first, profile.step, filter);
+            const double depth =
+                moved_into(dot(world.grains.position[g], along), stack.face, stack.length) - stack.interface;
+            for (const double period : {-1.0, 0.0, 1.0}) { // both its ends are rough
+                const double at = depth + period * stack.length;
+                add_sphere(at, world.grains.radius[g], profile.first, profile.step, filter);
+            }
         }
     }
     profile.filter = divided(std::move(filter), slice_volume(world, stack, profile));

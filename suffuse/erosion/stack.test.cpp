@@ -2,6 +2,7 @@
 
 #include "suffuse/erosion/stack.hpp"
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/base/error.hpp"
 #include "suffuse/base/parallel.hpp"
 #include "suffuse/dem/order.hpp"
@@ -190,6 +191,31 @@ TEST(Stack, GivesTheBaseItsGradientAndKeepsItsMass) {
     EXPECT_NEAR((left + eroded_mass(migration.ledger)) / all, 1, 1e-9);
 }
 
+TEST(Stack, HasTheGradientOfItsWeightInABedThatTheWaterCarries) {
+    dem::World sample = two_lattices(8, 4, 2, 0);
+    sample.material.friction = 0;
+    constexpr double room = 1e-3; // between base and filter
+    sample.cell.h(2, 2) += room;
+    for (std::size_t g = 0; g < sample.grains.size(); ++g) {
+        sample.grains.position[g].z += sample.grains.fine[g] != 0 ? 0 : room;
+    }
+    MigrateSpec spec = downward(3);
+    spec.hold_at_most = 0.02;
+    spec.gravity = Gravity{.down = {0, 0, -1}};
+    const Migration up = migrate(sample, spec);
+    // Once it rises steadily, the drag bears its weight; of the few grains that stand no layer has two pores.
+    const double area = sample.cell.h(0, 0) * sample.cell.h(1, 1);
+    const double excess = sample.material.density / flow::Fluid{}.density - 1; // G - 1
+    const double head = up.result.fines_mass / sample.material.density * excess / area;
+    ASSERT_GT(up.result.rows.size(), 6U);
+    for (std::size_t k = 4; k < up.result.rows.size(); ++k) {
+        const MigrationRow& row = up.result.rows[k];
+        EXPECT_EQ(row.moving_mass, up.result.fines_mass);
+        const double of_base = row.base_gradient * up.stack.base_thickness();
+        EXPECT_NEAR((of_base + row.filter_gradient * up.stack.filter_thickness()) / head, 1, 0.05) << row.time;
+    }
+}
+
 TEST(Stack, MigratesToTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
     const dem::World sample = two_lattices(6, 4, 3, 1e-3);
     const MigrateSpec spec = downward(5);
@@ -207,6 +233,17 @@ TEST(Stack, MigratesToTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {
     EXPECT_EQ(one.ledger.end, three.ledger.end);
     EXPECT_EQ(one.result.profile.base, three.result.profile.base);
     EXPECT_EQ(dem::state_hash(one.world), dem::state_hash(three.world));
+}
+
+TEST(BaseProfile, HasTheFilterOnBothSidesOfTheBase) {
+    const dem::World world = two_lattices(8, 4, 3, 0.3e-3); // the base is as thick as two slices
+    const BaseProfile profile = begin_profile(world, find_layers(world, {0, 0, 1}), {0, 0, 1});
+    const double cubic = pi / 6;
+    for (std::size_t k = 0; k < profile.filter.size(); ++k) {
+        const double middle = profile.first + (static_cast<double>(k) + 0.5) * profile.step;
+        const bool is_within = (middle > -1e-3 && middle < 0) || middle > 3e-3; // the next base
+        EXPECT_NEAR(profile.filter[k], is_within ? 0 : cubic, 0.01) << "slice at " << middle;
+    }
 }
 
 TEST(FilterView, HasTheHoleOfALatticeAsControllingConstrictionAndTheSizesOfBoth) {
