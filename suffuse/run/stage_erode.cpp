@@ -128,6 +128,56 @@ void write_constrictions(const std::filesystem::path& folder, const erosion::Ero
     sizes.finish();
 }
 
+/// What each pass found, and how many steps all took.
+void count_passes(StageWork& work, const erosion::ErosionResult& result) {
+    json passes = json::array();
+    std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
+    std::int64_t grains = std::ssize(work.world.grains.id) + std::ssize(result.ledger); // before the pass
+    work.grain_steps = 0;
+    for (const erosion::PassResult& pass : result.passes) {
+        passes.push_back(pass_numbers(pass));
+        const std::int64_t probe_steps = steps_of_probe(pass);
+        steps += probe_steps + pass.steps;
+        work.grain_steps += probe_steps * grains + pass.steps * (grains - pass.removed);
+        grains -= pass.removed;
+        work.time_step = pass.probe.time_step;
+    }
+    work.numbers["passes"] = std::move(passes);
+    work.numbers["steps"] = steps;
+}
+
+void note_pass(StageWork& work, const erosion::ErodeSpec& spec, const erosion::PassResult& pass) {
+    if (pass.mobility) {
+        note_mobility(work, fmt::format("pass {}: ", pass.pass), *pass.mobility);
+    } else {
+        const erosion::DetachSpec rule = erosion::at_pass(spec, pass.pass).detached;
+        const bool decides = !spec.forced && work.own_rule == nullptr;
+        note_probe(work, rule, pass.probe, decides);
+        if (decides) {
+            note_threshold(work, fmt::format("pass {}", pass.pass), rule, pass.probe);
+        }
+    }
+    const bool is_usual_end = pass.verdict == erosion::Ending{erosion::NothingLeaves{}} ||
+                              (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
+    if (pass.verdict && !is_usual_end) {
+        work.warnings.push_back(fmt::format("{}: pass {}: {}", work.place(), pass.pass, facts::words_of(pass.verdict)));
+    }
+}
+
+/// Of the first pass, and after the last.
+void note_water(StageWork& work, const erosion::ErodeSpec& spec, const erosion::ErosionResult& result) {
+    if (result.passes.empty()) {
+        return;
+    }
+    const erosion::PassResult &first = result.passes.front(), &last = result.passes.back();
+    const std::string when = fmt::format("after pass {}", last.pass);
+    const bool would_resolve = spec.probe.flow.solver == flow::Solver::Auto;
+    note_network(work, "before pass 1", first.probe.flow, first.porosity_before, would_resolve);
+    note_network(work, when, last.flow_after, last.porosity_after, would_resolve);
+    note_closed_voids(work, when + ": ", last.closed_voids);
+    note_fast_water(work, when, last.probe.gradient, last.reynolds_after, last.porosity_after);
+}
+
 } // namespace
 
 void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
@@ -159,55 +209,19 @@ void do_erode(StageWork& work, const erosion::ErodeSpec& spec) {
         work.history.record(work.world, true);
         save();
     }
-    json passes = json::array();
-    std::int64_t steps = 0; // of the relaxation, of probe and twin, and of the new equilibrium
-    std::int64_t grains = std::ssize(work.world.grains.id) + std::ssize(result.ledger); // before the pass
-    work.grain_steps = 0;
+    count_passes(work, result);
     for (const erosion::PassResult& pass : result.passes) {
-        passes.push_back(pass_numbers(pass));
-        const std::int64_t probe_steps = steps_of_probe(pass);
-        steps += probe_steps + pass.steps;
-        work.grain_steps += probe_steps * grains + pass.steps * (grains - pass.removed);
-        grains -= pass.removed;
-        work.time_step = pass.probe.time_step;
-        if (pass.mobility) {
-            note_mobility(work, fmt::format("pass {}: ", pass.pass), *pass.mobility);
-        } else {
-            const erosion::DetachSpec rule = erosion::at_pass(spec, pass.pass).detached;
-            const bool decides = !spec.forced && work.own_rule == nullptr;
-            note_probe(work, rule, pass.probe, decides);
-            if (decides) {
-                note_threshold(work, fmt::format("pass {}", pass.pass), rule, pass.probe);
-            }
-        }
-        const bool is_usual_end = pass.verdict == erosion::Ending{erosion::NothingLeaves{}} ||
-                                  (pass.reached_target && !pass.failed && !erosion::doubt_skeleton(work.world));
-        if (pass.verdict && !is_usual_end) {
-            work.warnings.push_back(
-                fmt::format("{}: pass {}: {}", work.place(), pass.pass, facts::words_of(pass.verdict))
-            );
-        }
+        note_pass(work, spec, pass);
     }
     note_target(work, spec, result);
     note_own_rule(work);
-    if (!result.passes.empty()) {
-        const erosion::PassResult& last = result.passes.back();
-        const std::string when = fmt::format("after pass {}", last.pass);
-        const bool would_resolve = spec.probe.flow.solver == flow::Solver::Auto;
-        const erosion::PassResult& first = result.passes.front();
-        note_network(work, "before pass 1", first.probe.flow, first.porosity_before, would_resolve);
-        note_network(work, when, last.flow_after, last.porosity_after, would_resolve);
-        note_closed_voids(work, when + ": ", last.closed_voids);
-        note_fast_water(work, when, last.probe.gradient, last.reynolds_after, last.porosity_after);
-    }
+    note_water(work, spec, result);
     keep_mobility(work, result);
-    work.numbers["passes"] = passes;
     work.numbers["model"] = model_name(spec.probe.gravity && !spec.forced);
     for (const auto of : {erosion::ErodedTarget::Of::Fines, erosion::ErodedTarget::Of::Solids}) {
         work.numbers[fmt::format("eroded_share_of_{}", name_of(of))] =
             erosion::eroded_share(work.world, result.initial_mass, of);
     }
-    work.numbers["steps"] = steps;
     write_eroded(work.folder, result);
     write_constrictions(work.folder, result);
     write_transport(work.folder, result);
