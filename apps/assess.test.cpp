@@ -249,6 +249,14 @@ TEST_F(Assess, JudgesAFilterBetweenTwoSoils) {
     EXPECT_FALSE(simulated["gradients"].empty());
 }
 
+TEST_F(Assess, SaysHowTheFilterWasUnderstood) {
+    write_to(folder / "filter.csv", "d [mm],passing\n2,0\n4,0.5\n8,1\n");
+    EXPECT_EQ(call("dyke.csv --filter filter.csv --json"), 0);
+    const auto remarks = nlohmann::json::parse(out)["remarks"];
+    ASSERT_EQ(remarks.size(), 1U);
+    expect_in("filter.csv:4: shares are read as fractions", remarks[0]);
+}
+
 TEST_F(Assess, TakesAFilterOutOfATableOfSeveralSamples) {
     write_to(
         folder / "all.csv", "d [mm],base,drain,coarse\n0.5,0,0,0\n1,100,0,0\n2,100,0,0\n4,100,100,40\n32,100,100,100\n"

@@ -215,6 +215,14 @@ void add_case_soils(
     }
 }
 
+/// How a file was understood, told and kept.
+void note_remarks(const gradings::GradingFile& read, const Console& console, json& remarks) {
+    print_remarks(read, console);
+    for (const Diagnostic& remark : read.remarks) {
+        remarks.push_back(remark_text(remark));
+    }
+}
+
 /// All soils of all files that can be read, and how these were understood.
 std::vector<MeasuredSoil> read_all(
     const AssessVerb& verb, const stability::AssessSpec& spec, const Console& console, json& remarks,
@@ -228,10 +236,7 @@ std::vector<MeasuredSoil> read_all(
         }
         gradings::GradingFile read;
         failed.attempt(file, console, [&] { read = read_gradings_of(file, verb.sample, verb.reading); });
-        print_remarks(read, console);
-        for (const Diagnostic& remark : read.remarks) {
-            remarks.push_back(remark_text(remark));
-        }
+        note_remarks(read, console, remarks);
         for (gradings::NamedGrading& soil : read.soils) {
             const std::string name = soil.name.empty() ? file : fmt::format("{}, {}", file, soil.name);
             soils.push_back({file, name, soil.name, std::move(soil.grading), with_alpha(verb, file, spec, "", console)}
@@ -270,9 +275,9 @@ assess_all(std::vector<MeasuredSoil>& measured, const Console& console, FailedFi
 }
 
 /// Judges another soil as a filter of all of them.
-void add_filter(const AssessVerb& verb, const Console& console, std::vector<job::AssessedSoil>& soils) {
+void add_filter(const AssessVerb& verb, const Console& console, json& remarks, std::vector<job::AssessedSoil>& soils) {
     const gradings::GradingFile read = read_one_grading(verb.filter, verb.filter_sample, {}, filter_sample_flag);
-    print_remarks(read, console);
+    note_remarks(read, console, remarks);
     const gradings::NamedGrading& filter = read.soils.front();
     const std::string name = filter.name.empty() ? verb.filter : fmt::format("{}, {}", verb.filter, filter.name);
     for (job::AssessedSoil& soil : soils) {
@@ -325,7 +330,7 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
     }
     const std::string& first_file = measured.front().file;
     if (!filter.empty()) {
-        add_filter(*this, console, soils);
+        add_filter(*this, console, remarks, soils);
     }
     if (!filter.empty() && soils.size() == 1 && !of_case(first_file)) {
         const std::string of_sample =
