@@ -43,7 +43,7 @@ export class RunView {
     this.answered = null; // when that was written
     this.isReportShown = false;
     this.hasWorked = false;
-    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state" role="status"></div><p class="buttons"></p><p class="cap printed" role="status"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
+    this.place.innerHTML = `<div class="live"><h2 tabindex="-1">${escaped(name)}</h2><div class="state"></div><p class="hidden heard" role="status"></p><p class="buttons"></p><p class="cap printed" role="status"></p>${this.parts.map((part) => `<div class="${part}"></div>`).join("")}</div><div class="report"></div>`;
     this.grains?.close();
     this.grains = new GrainsView(this.find(".grains"), name);
     return this.poll();
@@ -104,6 +104,8 @@ export class RunView {
     this.find(".state").innerHTML = run.at_work
       ? `<progress value="${share}" aria-label="stages done"></progress><div class="facts">${round ? `<span>round <b>${escaped(round)}</b></span>` : ""}<span>stages <b>${latest?.stages_done ?? 0} of ${latest?.stages ?? "?"}</b></span><span>left <b>${progress ? secondsRange(progress.seconds_left) : "–"}</b></span><span>at work for <b>${seconds(latest?.run_seconds ?? 0)}</b></span></div><p class="cap">${escaped([latest?.stage, latest?.part].filter(Boolean).join(": "))}</p>`
       : `<p class="cap">${outcome ? `Ended: ${escaped(outcome)}${run.calibration ? "" : `, after ${seconds(last.wall_seconds)}`}.` : run.tasks && !last ? "Its samples are tasks of a cluster. Gather what they have left." : "Nobody works on this run and it has not ended: it was killed, or an error ended it. Resume it."}</p>${run.last_words && ["", "failed in part"].includes(outcome) ? `<details open><summary>The last that it printed</summary><pre class="talk" tabindex="0" aria-label="The last that it printed">${escaped(run.last_words)}</pre></details>` : ""}`;
+    const heard = run.at_work ? ["At work", round, latest?.stage].filter(Boolean).join(": ") : this.find(".state .cap").textContent;
+    if (this.find(".heard").textContent !== heard) this.find(".heard").textContent = heard; // is read aloud: not each second
     this.grains.isAtWork = run.at_work;
     this.buttons(run, outcome);
     this.body(run, { done, failed, running });
