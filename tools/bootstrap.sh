@@ -5,11 +5,11 @@
 
 build=$root/build/release
 logs=$root/build/logs
-build_packages="g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
+build_packages="ccache g++ cmake ninja-build git libcgal-dev libgmp-dev libmpfr-dev libhdf5-dev libtomlplusplus-dev
     libcli11-dev libcpp-httplib-dev nlohmann-json3-dev libfmt-dev libfftw3-dev zlib1g-dev libssl-dev libeigen3-dev pybind11-dev python3-dev
     python3-numpy librsvg2-bin fonts-liberation"
 # Shells, groff and poppler check what the program writes for them.
-test_packages="ccache libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core
+test_packages="libgtest-dev librapidcheck-dev clang clang-format clang-tidy chromium fonts-dejavu-core
     python3-pytest python3-venv python3-pandas python3-xarray zsh fish groff-base poppler-utils"
 site_packages="python3-sphinx python3-myst-parser"
 fuzz_packages="libclang-rt-14-dev"
