@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """Soils that can be simulated whole, and their surrogates: surrogate.toml for each soil, density and seed.
 
-Both parts of a soil are log-uniform. Rows that are in surrogate.csv are not computed again. Soils that are
-no wider than a surrogate can be agree with it by construction, up to the scatter of samples."""
+Both parts of a soil are log-uniform. Rows that are in surrogate.csv are not computed again. Soils
+no wider than a surrogate agree with it by construction, up to the scatter of samples."""
 
 import math
 import statistics
