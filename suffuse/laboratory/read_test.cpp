@@ -160,18 +160,25 @@ TestColumn column_of(const Sheet& sheet, const Head& head, const ReadColumn& rea
 
 /// Above these no soil test goes [SI].
 double largest_of(const QuantityRow& row) {
-    constexpr double strain = 1, gradient = 1e3, pressure = 1e8;
+    constexpr double strain = 1, void_ratio = 20, gradient = 1e3, pressure = 1e8; // void ratio: of fresh mud or peat
     switch (row.quantity) {
     case Quantity::AxialStrain:
     case Quantity::VolumetricStrain:
         return strain;
     case Quantity::VoidRatio:
-        return largest_void_ratio;
+        return void_ratio;
     case Quantity::Gradient:
         return gradient;
     default:
         return row.dimension == dimension::pressure ? pressure : std::numeric_limits<double>::infinity();
     }
+}
+
+/// A strain without a unit may be in percent.
+double largest_number(const TestColumn& column) {
+    const QuantityRow& row = row_of(column.quantity);
+    const bool may_be_percent = column.unit.empty() && row.usual_unit == "%";
+    return largest_of(row) / (may_be_percent ? 0.01 : column.factor);
 }
 
 /// "1,250" may be 1250 or 1.25. Other numbers of the sheet decide, or the quantity does.
@@ -181,7 +188,7 @@ void settle_thousands(Sheet& sheet, const Head& head, TestRecord& record) {
         const ReadColumn& read = head.columns[k];
         const TestColumn& column = record.columns[k];
         const auto found = gradings::find_grouped(sheet, head.first, read.at);
-        if (!found || sign == found->mark || found->value(true) * column.factor > largest_of(row_of(column.quantity))) {
+        if (!found || sign == found->mark || found->value(true) > largest_number(column)) {
             continue;
         }
         if (sign == 0) {
@@ -262,6 +269,17 @@ void read_rows(const Sheet& sheet, const Head& head, const std::string& name, Te
                 );
             }
             TestColumn& column = record.columns[k];
+            if (const double most = largest_number(column); std::abs(*value) > most) {
+                const std::string unit = column.unit.empty() || column.unit == "-" ? "" : " " + column.unit;
+                complain(
+                    gradings::place_at(row, head.columns[k].at),
+                    fmt::format(
+                        "column \"{}\": found {:g}{}, and no {} of a soil exceeds {:g}{}; correct the number, or the "
+                        "unit of the column",
+                        head.columns[k].text, *value, unit, row_of(column.quantity).name, most, unit
+                    )
+                );
+            }
             column.values.push_back(*value * column.factor);
         }
     }

@@ -172,9 +172,7 @@ TEST(ReadTest, TheVoidRatioDecidesOnSignAndUnitOfAStrain) {
 }
 
 TEST(ReadTest, WithoutAVoidRatioTheHeadingOrTheOptionDecidesOnVolumetricStrain) {
-    expect_words(
-        "give --contraction positive or --contraction negative", refusal(strains + "\n0,0,0\n1,1,5\n", Triaxial)
-    );
+    expect_words("or give --contraction", refusal(strains + "\n0,0,0\n1,1,5\n", Triaxial));
     EXPECT_DOUBLE_EQ(value(parse(strains + "\n0,0,0\n1,1,5\n", Triaxial, false), Quantity::VolumetricStrain, 1), -0.01);
     EXPECT_DOUBLE_EQ(value(parse(strains + "\n0,0,0\n1,1,5\n", Triaxial, true), Quantity::VolumetricStrain, 1), 0.01);
     const TestRecord named = parse("eps1 [%],volumetric strain (dilation) [%],q [kPa]\n0,0,0\n1,1,5\n", Triaxial);
@@ -186,6 +184,76 @@ TEST(ReadTest, WorkDecidesOnTheSignOfAxialStrain) {
     EXPECT_DOUBLE_EQ(value(record, Quantity::AxialStrain, 2), 0.02);
     expect_words("is positive in extension", findings(record, false));
     EXPECT_DOUBLE_EQ(value(parse("sigma1' [kPa],eps1 [%]\n10,0\n100,-1\n", Oedometer), Quantity::AxialStrain, 1), 0.01);
+}
+
+TEST(ReadTest, UnloadingIsNotTakenForExtension) {
+    const std::string rows = "\n5,200\n4.9,120\n4.8,60\n4.7,10\n"; // unloaded from q = 200 kPa
+    expect_words("may be positive in compression or in extension", refusal("eps1 [%],q [kPa]" + rows, Triaxial));
+    const TestRecord named = parse("eps1 (compression positive) [%],q [kPa]" + rows, Triaxial);
+    EXPECT_DOUBLE_EQ(value(named, Quantity::AxialStrain, 3), 0.047);
+    expect_words(
+        "\"eps1 (compression positive) [%]\" is positive in compression: by its heading", findings(named, false)
+    );
+    const std::string loading = "eps1 [%],q [kPa]\n0,50\n1,150\n2,200\n"; // from q > 0
+    EXPECT_DOUBLE_EQ(value(parse(loading, Triaxial), Quantity::AxialStrain, 2), 0.02);
+    expect_words(
+        "is positive in extension by its heading, and in compression by the work of \"q [kPa]\"",
+        refusal("eps1 [%] (extension positive),q [kPa]\n0,0\n1,50\n", Triaxial)
+    );
+}
+
+TEST(ReadTest, WorkIsThatOfTheDeviatorStressThatAxialAndRadialStressMake) {
+    // A loose undrained sample: its effective axial stress falls while it is compressed.
+    const std::string head = "eps1 [%],sigma1' [kPa],sigma3' [kPa],u [kPa]\n",
+                      rows = "0,100,100,0\n1,80,40,70\n3,60,20,95\n";
+    EXPECT_DOUBLE_EQ(value(parse(head + rows, Triaxial), Quantity::AxialStrain, 2), 0.03);
+    const std::string alone = "eps1 [%],sigma1' [kPa],u [kPa]\n0,100,0\n1,80,70\n3,60,95\n";
+    EXPECT_DOUBLE_EQ(value(parse(alone, Triaxial), Quantity::AxialStrain, 2), 0.03);
+}
+
+TEST(ReadTest, AHeadingSaysItsSignInManyWays) {
+    for (const char* text :
+         {"volumetric strain (contraction positive) [%]", "Volumetric strain [%] (contraction positive)",
+          "epsv, %, contraction positive", "volumetric strain (contraction +ve) [%]", "epsv [%] (dilation negative)",
+          "epsv (dilation -ve) [%]", "epsv (expansion -) [%]", "volumetric strain (compression is positive) [%]",
+          "epsv [%] (contractive)"}) {
+        const TestHeading heading = read_test_heading(text, Triaxial);
+        EXPECT_EQ(heading.quantity, Quantity::VolumetricStrain) << text;
+        EXPECT_EQ(heading.unit, "%") << text;
+        EXPECT_TRUE(heading.contracts && !heading.expands) << text;
+    }
+    for (const char* text : {"epsv (contraction -) [%]", "volumetric strain (dilation positive) [%]"}) {
+        EXPECT_TRUE(read_test_heading(text, Triaxial).expands && !read_test_heading(text, Triaxial).contracts) << text;
+    }
+    EXPECT_EQ(read_test_heading("p [kPa] (effective)", Triaxial).unit, "kPa");
+    EXPECT_EQ(read_test_heading("filter-velocity [mm/s]", Permeameter).quantity, Quantity::Velocity);
+}
+
+TEST(ReadTest, ASignThatContradictsTheVoidRatioIsRefused) {
+    const std::string rows = "\n0,0,0,1\n1,-1,50,1.02\n2,-2,90,1.04\n";
+    expect_words(
+        "and in contraction by the void ratio", refusal("eps1 [%],epsv (dilation) [%],q [kPa],e" + rows, Triaxial)
+    );
+    const auto specified = [&](bool positive) {
+        return parse("eps1 [%],epsv [%],q [kPa],e" + rows, Triaxial, positive);
+    };
+    EXPECT_DOUBLE_EQ(value(specified(false), Quantity::VolumetricStrain, 1), -0.01);
+    expect_words("not the specified one", findings(specified(false), true));
+    EXPECT_EQ(findings(specified(true), true), "");
+}
+
+TEST(ReadTest, NumbersThatNoSoilHasAreRefusedWithTheirPlace) {
+    expect_words(
+        "t.csv:3:1: column \"eps1 [-]\": found 5.2, and no axial strain of a soil exceeds 1",
+        refusal("eps1 [-],q [kPa]\n0,0\n5.2,50\n", Triaxial)
+    );
+    expect_words("found 250 %, and no volumetric", refusal("eps1 [%],epsv [%],q [kPa]\n0,0,0\n1,250,50\n", Triaxial));
+    expect_words(
+        "found 150, and no axial strain of a soil exceeds 100", refusal("eps1,q [kPa]\n0,0\n150,5\n", Triaxial)
+    );
+    expect_words("found 200 MPa, and no deviator stress", refusal("eps1 [%],q [MPa]\n0,0\n1,200\n", Triaxial));
+    expect_words("found -2000, and no hydraulic gradient", refusal("i,Q [mL/s]\n1,1\n-2000,1\n", Permeameter));
+    EXPECT_EQ(refusal("eps1,q [kPa]\n0,0\n25,5\n", Triaxial), "");
 }
 
 TEST(ReadTest, StressesThatBelongTogetherShowWhichAreEffective) {
@@ -202,8 +270,33 @@ TEST(ReadTest, StressesThatBelongTogetherShowWhichAreEffective) {
         refusal("eps1 [%],epsv [%],q [kPa],p [kPa],e\n0,0,0,100,1\n1,1,50,151,0.98\n", Triaxial)
     );
     expect_words(
+        "is effective by its heading, and total by \"sigma3' [kPa]\"",
+        refusal("eps1 [%],q [kPa],p' [kPa],sigma3' [kPa],u [kPa]\n0,0,300,100,200\n1,60,310,90,200\n", Triaxial)
+    );
+    expect_words(
+        "is total by its heading, and effective by",
+        refusal("eps1 [%],q [kPa],p' [kPa],total sigma3 [kPa],u [kPa]\n0,0,100,100,200\n1,60,110,90,200\n", Triaxial)
+    );
+    expect_words(
         "compression seems to be negative", refusal("eps1 [%],q [kPa],p [kPa]\n0,0,-100\n-1,-60,-120\n", Triaxial)
     );
+}
+
+TEST(ReadTest, HalfSumsAndHalfDifferencesOfStressesAreFoundByTheirSlope) {
+    const auto with_slope = [](double slope, double volume) {
+        std::string text = "eps1 [%],epsv (contraction positive) [%],q [kPa],p [kPa]\n";
+        for (int k = 0; k <= 5; ++k) {
+            text += fmt::format("{},{},{},{}\n", k, volume * k, slope * 10 * k, 100 + 10 * k);
+        }
+        return text;
+    };
+    expect_words("rises by 2 with \"p [kPa]\", and by 3", refusal(with_slope(2, 0.2), Triaxial));
+    expect_words("write p = s - q/6", refusal(with_slope(2, 0.2), Triaxial));
+    expect_words("write q = 2 t; or", refusal(with_slope(1.5, 0.2), Triaxial));
+    EXPECT_EQ(refusal(with_slope(3, 0.2), Triaxial), "");
+    const TestRecord between = parse(with_slope(2.5, 0.2), Triaxial);
+    expect_words("the first rises by 2.5 with the second, and by 3 in a drained test", findings(between, true));
+    EXPECT_EQ(refusal(with_slope(1.5, 0), Triaxial), "") << "undrained, its path rises along the critical state line";
 }
 
 TEST(ReadTest, StressesThatContradictOneAnotherAreRefused) {
@@ -225,7 +318,11 @@ TEST(ReadTest, StressesThatContradictOneAnotherAreRefused) {
 
 TEST(ReadTest, AVoidRatioInPercentNeedsItsUnit) {
     const std::string rows = "\n100,80\n200,75\n400,70\n";
-    expect_words("void ratios above 20; write \"e [%]\"", refusal("sigma1 [kPa],e" + rows, Oedometer));
+    expect_words(
+        "t.csv:2:5: column \"e\": found 80, and no void ratio of a soil exceeds 20",
+        refusal("sigma1 [kPa],e" + rows, Oedometer)
+    );
+    expect_words("void ratios of 0 or less", refusal("sigma1 [kPa],e\n100,0.8\n200,-0.8\n", Oedometer));
     EXPECT_DOUBLE_EQ(value(parse("sigma1 [kPa],e [%]" + rows, Oedometer), Quantity::VoidRatio, 0), 0.8);
     expect_words("an oedometer test has", refusal("e,eps1 [%]\n1,0\n0.9,5\n", Oedometer));
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace suffuse::laboratory {
 namespace {
@@ -48,11 +50,26 @@ std::string unit_words(const std::string& unit) {
     return unit == "%" ? "percent" : "fractions";
 }
 
+std::string direction_words(bool contracts) {
+    return contracts ? "contraction" : "expansion";
+}
+
+/// What the heading says of positive values.
+std::optional<bool> named_contraction(const TestColumn& strain) {
+    return strain.expands != strain.contracts ? std::optional(strain.contracts) : std::nullopt;
+}
+
 /// @return whether the void ratio decides on unit and sign.
 bool settle_by_void_ratio(const RecordReview& review, TestColumn& strain) {
     const auto factor = fit_to_void_ratio(review, strain);
     if (!factor) {
         return false;
+    }
+    if (const auto named = named_contraction(strain); named && *named != (*factor > 0)) {
+        review.refuse(fmt::format(
+            "column \"{}\" is positive in {} by its heading, and in {} by the void ratio; correct one of them",
+            strain.heading, direction_words(*named), direction_words(*factor > 0)
+        ));
     }
     if (strain.unit.empty()) {
         strain.unit = std::abs(*factor) == 1 ? "1" : "%";
@@ -61,8 +78,8 @@ bool settle_by_void_ratio(const RecordReview& review, TestColumn& strain) {
         );
     }
     review.decided(fmt::format(
-        "\"{}\" is positive in {}: the void ratio falls where it {}", strain.heading,
-        *factor > 0 ? "contraction" : "expansion", *factor > 0 ? "rises" : "falls"
+        "\"{}\" is positive in {}: the void ratio falls where it {}", strain.heading, direction_words(*factor > 0),
+        *factor > 0 ? "rises" : "falls"
     ));
     multiply(strain, *factor);
     return true;
@@ -85,50 +102,110 @@ void settle_unit(const RecordReview& review, TestColumn& strain) {
     multiply(strain, 0.01);
 }
 
+/// Of a triaxial test, with its columns as their headings call them.
+struct Deviator {
+    std::vector<double> values;
+    std::string words;      ///< the columns, for messages
+    bool is_change = false; ///< known but for a constant: axial stress under a radial stress that nobody gives
+};
+
+Deviator deviator_in(const RecordReview& review) {
+    const auto find = [&](Quantity quantity) { return std::as_const(review.record).find(quantity); };
+    if (const TestColumn* q = find(Quantity::DeviatorStress)) {
+        return {q->values, fmt::format("\"{}\"", q->heading)};
+    }
+    const TestColumn &axial = *find(Quantity::AxialStress), *radial = find(Quantity::RadialStress),
+                     *u = find(Quantity::PorePressure);
+    Deviator q{axial.values, fmt::format("\"{}\"", axial.heading), radial == nullptr};
+    int waters = 0; // how many times the pore pressure is missing
+    if (u != nullptr && radial == nullptr) {
+        waters = axial.is_effective.value_or(false) ? 1 : 0;
+    } else if (u != nullptr && axial.is_effective && radial->is_effective) {
+        waters = (*axial.is_effective ? 1 : 0) - (*radial->is_effective ? 1 : 0);
+    }
+    for (std::size_t k = 0; k < q.values.size(); ++k) {
+        q.values[k] += (waters != 0 ? waters * u->values[k] : 0) - (radial != nullptr ? radial->values[k] : 0);
+    }
+    if (radial != nullptr) {
+        q.words += fmt::format(" minus \"{}\"", radial->heading);
+    }
+    return q;
+}
+
 } // namespace
 
 void settle_volumetric_strain(const RecordReview& review, std::optional<bool> contraction_is_positive) {
     TestColumn* strain = review.record.find(Quantity::VolumetricStrain);
-    if (strain == nullptr || settle_by_void_ratio(review, *strain)) {
+    if (strain == nullptr) {
+        return;
+    }
+    if (settle_by_void_ratio(review, *strain)) {
+        if (contraction_is_positive.value_or(strain->factor > 0) != (strain->factor > 0)) {
+            review.assumed(
+                fmt::format("\"{}\" has the sign that the void ratio gives, not the specified one", strain->heading)
+            );
+        }
         return;
     }
     settle_unit(review, *strain);
-    const bool is_named = strain->expands != strain->contracts;
-    if (contraction_is_positive || is_named) {
-        const bool contracts = contraction_is_positive.value_or(strain->contracts);
+    const auto contracts = contraction_is_positive ? contraction_is_positive : named_contraction(*strain);
+    if (contracts) {
         review.decided(fmt::format(
-            "\"{}\" is positive in {}: {}", strain->heading, contracts ? "contraction" : "expansion",
+            "\"{}\" is positive in {}: {}", strain->heading, direction_words(*contracts),
             contraction_is_positive ? "as specified" : "by its heading"
         ));
-        multiply(*strain, contracts ? 1 : -1);
+        multiply(*strain, *contracts ? 1 : -1);
         return;
     }
     review.refuse(fmt::format(
-        "column \"{}\" may be positive in contraction or in expansion, and no void ratio decides; give --contraction "
-        "positive or --contraction negative",
+        "column \"{}\" may be positive in contraction or in expansion, and no void ratio decides; write \"contraction "
+        "positive\" or \"expansion positive\" into its heading, or give --contraction, as a target of [calibrate] does "
+        "with `contraction`",
         strain->heading
     ));
 }
 
-/// The deviator stress does work on it.
+/// The deviator stress does work on it, and rises with it, unless a record begins under load: unloading has work
+/// alone of the wrong sign, softening has the rise.
 void settle_triaxial_axial_strain(const RecordReview& review) {
     TestColumn& strain = *review.record.find(Quantity::AxialStrain);
     settle_unit(review, strain);
-    const TestColumn* q = review.record.find(Quantity::DeviatorStress);
-    const TestColumn* axial = review.record.find(Quantity::AxialStress);
-    const TestColumn& stress = q != nullptr ? *q : *axial;
-    const double work = review.sum([&](std::size_t k, std::size_t first) {
-        return (strain.values[k] - strain.values[first]) *
-               (stress.values[k] - (q != nullptr ? 0 : stress.values[first]));
+    const Deviator q = deviator_in(review);
+    double work = 0, rise = 0;
+    review.for_each_row([&](std::size_t k, std::size_t first) {
+        const double change = strain.values[k] - strain.values[first];
+        work += change * q.values[k];
+        rise += change * (q.values[k] - q.values[first]);
     });
-    if (!(std::abs(work) > 0)) {
-        review.refuse(fmt::format("columns \"{}\" and \"{}\" do not change", strain.heading, stress.heading));
+    if (q.is_change) {
+        work = rise;
+    }
+    if (work == 0 && rise == 0) {
+        review.refuse(fmt::format("columns \"{}\" and {} do not change", strain.heading, q.words));
+    }
+    const auto named = named_contraction(strain);
+    const bool is_open = work * rise < 0;
+    const auto words = [](bool compresses) { return compresses ? "compression" : "extension"; };
+    if (is_open && !named) {
+        review.refuse(fmt::format(
+            "column \"{0}\" may be positive in compression or in extension: {1} does work on it if it is positive in "
+            "{2}, but rises with it if it is positive in {3}; write \"compression positive\" or \"extension positive\" "
+            "into its heading",
+            strain.heading, q.words, words(work > 0), words(rise > 0)
+        ));
+    }
+    const bool compresses = is_open ? *named : work + rise > 0;
+    if (named && compresses != *named) {
+        review.refuse(fmt::format(
+            "column \"{}\" is positive in {} by its heading, and in {} by the work of {}; correct one of them",
+            strain.heading, words(*named), words(compresses), q.words
+        ));
     }
     review.decided(fmt::format(
-        "\"{}\" is positive in {}: \"{}\" does work on it", strain.heading, work > 0 ? "compression" : "extension",
-        stress.heading
+        "\"{}\" is positive in {}: {}", strain.heading, words(compresses),
+        is_open ? "by its heading" : q.words + " does work on it"
     ));
-    multiply(strain, work > 0 ? 1 : -1);
+    multiply(strain, compresses ? 1 : -1);
 }
 
 void settle_oedometer_strain(const RecordReview& review) {

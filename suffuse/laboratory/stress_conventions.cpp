@@ -21,7 +21,20 @@ void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const Te
         }));
         return off <= stress_match * size;
     };
+    const auto expect_heading = [&](const TestColumn& stress, bool is_effective) {
+        if (stress.is_effective.value_or(is_effective) != is_effective) {
+            review.refuse(fmt::format(
+                "column \"{}\" is {} by its heading, and {} by \"{}\" and the pore pressure; correct one of them",
+                stress.heading, is_effective ? "total" : "effective", is_effective ? "effective" : "total",
+                &stress == &p ? radial.heading : p.heading
+            ));
+        }
+    };
     if (is_close(1.0 / 3, 0)) {
+        if (u != nullptr && p.is_effective && radial.is_effective &&
+            !is_close(1.0 / 3, *radial.is_effective ? 1 : -1)) {
+            expect_heading(radial, *p.is_effective);
+        }
         review.decided(fmt::format(
             "\"{0}\" is \"{1}\" + \"{2}\"/3: \"{2}\" is axial minus radial stress, and \"{0}\" is effective where "
             "\"{1}\" is",
@@ -36,6 +49,8 @@ void settle_by_radial_stress(const RecordReview& review, TestColumn& p, const Te
     }
     if (u != nullptr && (is_close(1.0 / 3, 1) || is_close(1.0 / 3, -1))) {
         const bool p_is_total = is_close(1.0 / 3, 1);
+        expect_heading(p, !p_is_total);
+        expect_heading(radial, p_is_total);
         review.decided(fmt::format(
             "\"{}\" is {} and \"{}\" is {}: they differ by the pore pressure", p.heading,
             p_is_total ? "total" : "effective", radial.heading, p_is_total ? "effective" : "total"
@@ -95,6 +110,17 @@ void check_three_stresses(const RecordReview& review) {
     }
 }
 
+/// Whether water leaves or enters: the volume changes.
+bool is_drained(const RecordReview& review) {
+    constexpr double no_volume = 1e-3; // of strain, of an apparatus that gives way
+    const TestColumn* strain = review.record.find(Quantity::VolumetricStrain);
+    bool changes = false;
+    review.for_each_row([&](std::size_t k, std::size_t first) {
+        changes = changes || (strain != nullptr && std::abs(strain->values[k] - strain->values[first]) > no_volume);
+    });
+    return changes;
+}
+
 /// In a drained test at a constant cell pressure q rises by 3 as p rises by 1.
 void settle_by_slope(const RecordReview& review, const TestColumn& p, const TestColumn& q) {
     double pp = 0, pq = 0;
@@ -112,24 +138,34 @@ void settle_by_slope(const RecordReview& review, const TestColumn& p, const Test
     }
     constexpr double tolerance = 0.1;
     const double slope = pp > 0 ? pq / pp : 0;
-    const bool is_drained = review.record.find(Quantity::VolumetricStrain) != nullptr;
-    if (is_drained && std::abs(slope - 3) <= 3 * tolerance) {
+    const auto is_near = [&](double wanted) { return std::abs(slope - wanted) <= tolerance * wanted; };
+    if (!is_drained(review) || !(is_near(3) || is_near(1) || is_near(2) || is_near(1.5))) {
+        review.assumed(fmt::format(
+            "\"{}\" is axial minus radial stress, \"{}\" is (axial + 2 radial stress)/3; the first rises by {:.2g} "
+            "with "
+            "the second, and by 3 in a drained test at a constant radial stress",
+            q.heading, p.heading, slope
+        ));
+        return;
+    }
+    if (is_near(3)) {
         review.decided(fmt::format(
             "\"{}\" is axial minus radial stress, \"{}\" the mean of three stresses: the first rises by 3 with the "
             "second",
             q.heading, p.heading
         ));
-    } else if (is_drained && std::abs(slope - 1) <= tolerance) {
-        review.refuse(fmt::format(
-            "\"{}\" rises by 1 with \"{}\": they may be half the difference and half the sum of axial and radial "
-            "stress, t and s; write q = 2 t and p = s - t/3",
-            q.heading, p.heading
-        ));
-    } else {
-        review.assumed(fmt::format(
-            "\"{}\" is axial minus radial stress, \"{}\" is (axial + 2 radial stress)/3", q.heading, p.heading
-        ));
+        return;
     }
+    review.refuse(fmt::format(
+        "\"{}\" rises by {:.2g} with \"{}\", and by 3 if they are axial minus radial stress and the mean of three "
+        "stresses: {}; or add the radial stress, which decides",
+        q.heading, slope, p.heading,
+        is_near(1)
+            ? "they may be half the difference and half the sum of axial and radial stress, t and s; write q = 2 "
+              "t and p = s - t/3"
+        : is_near(2) ? "the second may be half the sum of axial and radial stress, s; write p = s - q/6"
+                     : "the first may be half the difference of axial and radial stress, t; write q = 2 t"
+    ));
 }
 
 void settle_effective(const RecordReview& review, TestColumn& stress) {

@@ -23,11 +23,8 @@ void check_not_negative(const RecordReview& review, Quantity quantity) {
 
 void check_void_ratio(const RecordReview& review) {
     const TestColumn* e = review.record.find(Quantity::VoidRatio);
-    if (e != nullptr && std::ranges::any_of(e->values, [](double v) { return v > largest_void_ratio; })) {
-        review.refuse(fmt::format(
-            "column \"{0}\" has void ratios above {1:g}; write \"{0} [%]\" if they are in percent", e->heading,
-            largest_void_ratio
-        ));
+    if (e != nullptr && std::ranges::any_of(e->values, [](double v) { return v <= 0; })) {
+        review.refuse(fmt::format("column \"{}\" has void ratios of 0 or less; correct its numbers", e->heading));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 #include <vector>
 
 namespace suffuse::laboratory {
@@ -48,21 +49,53 @@ std::vector<std::string> words_of(std::string_view text) {
     return words;
 }
 
-/// Cuts the unit off: in brackets at the end, or after a comma.
-std::string take_unit(std::string_view& text) {
-    const bool has_brackets = text.ends_with(']') || text.ends_with(')');
-    const std::size_t open = has_brackets ? text.find_last_of("[(") : text.find_last_of(',');
-    if (open == std::string_view::npos || open == 0) {
-        return "";
-    }
-    const std::string_view unit = text.substr(open + 1, text.size() - open - (has_brackets ? 2 : 1));
-    text = io::trimmed(text.substr(0, open));
-    return std::string(io::trimmed(unit));
-}
-
 bool take_word(std::vector<std::string>& words, std::initializer_list<std::string_view> known) {
     const auto is_known = [&](const std::string& word) { return std::ranges::find(known, word) != known.end(); };
     return std::erase_if(words, is_known) > 0;
+}
+
+/// Takes the words that say more of the quantity. @return whether there was one
+bool take_remarks(std::vector<std::string>& words, TestHeading& heading) {
+    heading.is_effective = take_word(words, {"effective", "eff"}) || heading.is_effective;
+    heading.is_total = take_word(words, {"total"});
+    heading.is_cumulative = take_word(words, {"cumulative", "cum", "accumulated"});
+    heading.expands = take_word(words, {"dilation", "dilatation", "dilative", "expansion", "extension", "swelling"});
+    heading.contracts = take_word(words, {"contraction", "contractive", "compression", "compressive"});
+    if (heading.expands || heading.contracts) {
+        take_word(words, {"positive", "pos", "ve", "is", "as"});
+        if (take_word(words, {"negative", "neg"})) {
+            std::swap(heading.expands, heading.contracts);
+        }
+    }
+    return heading.is_effective || heading.is_total || heading.is_cumulative || heading.expands || heading.contracts;
+}
+
+/// Cuts the unit off: in brackets at the end, or after a comma. Remarks may stand on both sides of it, and stay.
+std::string take_unit(std::string& text) {
+    std::string unit, remarks;
+    for (;;) {
+        const bool has_brackets = text.ends_with(']') || text.ends_with(')');
+        const std::size_t open = has_brackets ? text.find_last_of("[(") : text.find_last_of(',');
+        if (open == std::string::npos || open == 0) {
+            break;
+        }
+        const std::string part(
+            io::trimmed(std::string_view(text).substr(open + 1, text.size() - open - (has_brackets ? 2 : 1)))
+        );
+        std::vector<std::string> words = words_of(part);
+        TestHeading remark;
+        if (take_remarks(words, remark)) {
+            const bool is_minus = part.starts_with('-') || part.ends_with('-') || part.ends_with(" -ve");
+            remarks += " " + part + (is_minus ? " negative" : "");
+        } else if (unit.empty()) {
+            unit = part;
+        } else {
+            break;
+        }
+        text = std::string(io::trimmed(std::string_view(text).substr(0, open)));
+    }
+    text += remarks;
+    return unit;
 }
 
 std::string joined(const std::vector<std::string>& words, std::size_t begin, std::size_t end) {
@@ -103,21 +136,16 @@ std::optional<Quantity> quantity_of(const std::vector<std::string>& words, TestK
 
 TestHeading read_test_heading(std::string_view text, TestKind kind) {
     TestHeading heading;
-    const std::string latin = with_latin_letters(io::trimmed(text));
-    std::string_view rest = latin;
+    std::string rest = with_latin_letters(io::trimmed(text));
     heading.unit = take_unit(rest);
     std::vector<std::string> words = words_of(rest);
     for (std::string& word : words) {
         heading.is_effective = std::erase(word, '\'') > 0 || heading.is_effective;
     }
-    heading.is_effective = take_word(words, {"effective", "eff"}) || heading.is_effective;
-    heading.is_total = take_word(words, {"total"});
-    heading.is_cumulative = take_word(words, {"cumulative", "cum", "accumulated"});
-    heading.expands = take_word(words, {"dilation", "dilatation", "expansion"});
-    heading.contracts = take_word(words, {"contraction", "compression"});
+    take_remarks(words, heading);
     heading.quantity = quantity_of(words, kind);
     if (!heading.quantity && heading.unit.empty() && words.size() > 1) { // q_kPa
-        const std::string_view last = rest.substr(rest.find_last_of("_ ") + 1);
+        const std::string_view last = std::string_view(rest).substr(rest.find_last_of("_ ") + 1);
         const auto before = quantity_of({words.begin(), words.end() - 1}, kind);
         if (before && unit_in_si(last, row_of(*before).dimension)) {
             heading.quantity = before;

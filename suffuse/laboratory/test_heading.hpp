@@ -16,8 +16,8 @@ struct TestHeading {
     bool is_effective = false;  ///< "p'", "effective"
     bool is_total = false;      ///< "total"
     bool is_cumulative = false; ///< "cumulative"
-    bool expands = false;       ///< "dilation", "expansion": positive where the volume grows
-    bool contracts = false;     ///< "contraction", "compression"
+    bool expands = false;       ///< "dilation", "extension", "contraction negative": positive where the soil grows
+    bool contracts = false;     ///< "contraction", "compression positive"
 };
 
 TestHeading read_test_heading(std::string_view text, TestKind kind);

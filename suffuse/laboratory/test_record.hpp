@@ -11,9 +11,6 @@
 
 namespace suffuse::laboratory {
 
-/// Of soils, even of fresh mud or peat: a larger number is in percent.
-constexpr double largest_void_ratio = 20;
-
 struct TestColumn {
     Quantity quantity = Quantity::Time;
     std::string heading;                     ///< as written
