@@ -132,6 +132,7 @@ TestColumn column_of(const Sheet& sheet, const Head& head, const ReadColumn& rea
     column.heading = read.text;
     column.unit = read.heading.unit;
     column.is_cumulative = read.heading.is_cumulative;
+    column.is_half = read.heading.is_half;
     column.expands = read.heading.expands;
     column.contracts = read.heading.contracts;
     if (read.heading.is_effective || read.heading.is_total) {

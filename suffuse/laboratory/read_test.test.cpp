@@ -299,6 +299,17 @@ TEST(ReadTest, HalfSumsAndHalfDifferencesOfStressesAreFoundByTheirSlope) {
     EXPECT_EQ(refusal(with_slope(1.5, 0), Triaxial), "") << "undrained, its path rises along the critical state line";
 }
 
+TEST(ReadTest, HeadingsOfHalfSumsAndHalfDifferencesAreTurnedIntoQAndP) {
+    const std::string rows = "\n0,0,0,100\n1,0.2,50,150\n2,0.1,80,180\n"; // at a radial stress of 100 kPa
+    const TestRecord record = parse("eps1 [%],epsv (contraction) [%],t [kPa],s' [kPa]" + rows, Triaxial);
+    EXPECT_DOUBLE_EQ(value(record, Quantity::DeviatorStress, 2), 160e3);
+    EXPECT_NEAR(value(record, Quantity::MeanStress, 2), (260e3 + 2 * 100e3) / 3, 1e-6);
+    EXPECT_EQ(record.find(Quantity::MeanStress)->is_effective, true);
+    expect_words("the first rises by 3 with the second", findings(record, false));
+    expect_words("add a column of q or t", refusal("eps1 [%],sigma1 [kPa],s' [kPa]\n0,100,100\n1,200,150\n", Triaxial));
+    EXPECT_EQ(parse("t [min],eps1 [%],q [kPa]\n0,0,0\n1,1,5\n", Triaxial).columns.front().quantity, Quantity::Time);
+}
+
 TEST(ReadTest, StressesThatContradictOneAnotherAreRefused) {
     const std::string head = "eps1 [%],q [kPa],sigma3' [kPa],sigma1' [kPa]\n";
     EXPECT_EQ(refusal(head + "0,0,100,100\n1,100,100,200\n5,200,100,301\n", Triaxial), "");

@@ -198,6 +198,33 @@ void check_stresses_are_compressive(const RecordReview& review) {
     }
 }
 
+void settle_halves(const RecordReview& review) {
+    TestColumn *q = review.record.find(Quantity::DeviatorStress), *p = review.record.find(Quantity::MeanStress);
+    if (q != nullptr && q->is_half) {
+        review.decided(
+            fmt::format("\"{}\" is half of axial minus radial stress by its heading: q is twice as large", q->heading)
+        );
+        multiply(*q, 2);
+    }
+    if (p == nullptr || !p->is_half) {
+        return;
+    }
+    if (q == nullptr) {
+        review.refuse(fmt::format(
+            "column \"{}\" is half the sum of axial and radial stress by its heading, and p follows from it and q; add "
+            "a "
+            "column of q or t",
+            p->heading
+        ));
+    }
+    review.decided(fmt::format(
+        "\"{}\" is half the sum of axial and radial stress by its heading: p is less by a sixth of q", p->heading
+    ));
+    for (std::size_t k = 0; k < p->values.size(); ++k) {
+        p->values[k] -= q->values[k] / 6;
+    }
+}
+
 void settle_triaxial_stresses(const RecordReview& review) {
     TestColumn* p = review.record.find(Quantity::MeanStress);
     const TestColumn* q = review.record.find(Quantity::DeviatorStress);

@@ -9,6 +9,9 @@ namespace suffuse::laboratory {
 /// Compression is positive: a stress that is negative in the mean is refused.
 void check_stresses_are_compressive(const RecordReview& review);
 
+/// Columns whose headings are s and t become p and q. @throws CaseError where s has neither q nor t
+void settle_halves(const RecordReview& review);
+
 /// @throws CaseError where two readings are possible, or columns contradict one another.
 void settle_triaxial_stresses(const RecordReview& review);
 void settle_oedometer_stress(const RecordReview& review);

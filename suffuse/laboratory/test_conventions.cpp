@@ -79,6 +79,7 @@ void find_conventions(TestRecord& record, const std::string& file, std::optional
     check_void_ratio(review);
     switch (record.kind) {
     case TestKind::Triaxial:
+        settle_halves(review);
         settle_volumetric_strain(review, contraction_is_positive);
         settle_triaxial_axial_strain(review);
         settle_triaxial_stresses(review);

@@ -153,6 +153,10 @@ TestHeading read_test_heading(std::string_view text, TestKind kind) {
         }
     }
     const std::string all = joined(words, 0, words.size());
+    if (kind == TestKind::Triaxial && (all == "t" || all == "s") && unit_in_si(heading.unit, dimension::pressure)) {
+        heading.quantity = all == "t" ? Quantity::DeviatorStress : Quantity::MeanStress;
+        heading.is_half = true;
+    }
     heading.names_tests = !heading.quantity && std::ranges::find(name_words(), all) != name_words().end();
     return heading;
 }

@@ -16,6 +16,7 @@ struct TestHeading {
     bool is_effective = false;  ///< "p'", "effective"
     bool is_total = false;      ///< "total"
     bool is_cumulative = false; ///< "cumulative"
+    bool is_half = false;       ///< "t [kPa]", "s' [kPa]": half the difference, half the sum of axial and radial stress
     bool expands = false;       ///< "dilation", "extension", "contraction negative": positive where the soil grows
     bool contracts = false;     ///< "contraction", "compression positive"
 };

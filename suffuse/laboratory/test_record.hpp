@@ -18,6 +18,7 @@ struct TestColumn {
     double factor = 1;                       ///< from the column to SI, with the sign
     std::optional<bool> is_effective;        ///< of stresses, where it is known
     bool is_cumulative = false;              ///< by its heading
+    bool is_half = false;                    ///< by its heading s or t, until its conventions are found
     bool expands = false, contracts = false; ///< by its heading
     std::vector<double> values;              ///< one a row [SI]
 };
