@@ -223,10 +223,12 @@ py::dict run_stiffness(
     {
         const Working working;
         const Pulse pulse = [&](std::string_view part, long long steps) { attention.beat(part, steps); };
-        triaxial::RestedState state = triaxial::rest_for_strains(world, spec, given_damping, pulse);
+        triaxial::ProbeAdvice advice;
+        advice.at_yielding = "probe a state further from failure";
+        triaxial::RestedState state = triaxial::rest_for_strains(world, spec, given_damping, pulse, advice);
         for (int number = 0; number < triaxial::strain_directions; ++number) {
             const Mat3 direction = triaxial::strain_direction(number);
-            probes.push_back(triaxial::probe_strain(state, spec, direction, given_damping, pulse));
+            probes.push_back(triaxial::probe_strain(state, spec, direction, given_damping, pulse, advice));
         }
         stiffness = triaxial::stiffness_of(state, probes);
     }

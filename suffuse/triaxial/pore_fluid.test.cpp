@@ -2,6 +2,7 @@
 
 #include "suffuse/triaxial/pore_fluid.hpp"
 
+#include "suffuse/base/error.hpp"
 #include "suffuse/dem/inspect.hpp"
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/dem/stable_dt.hpp"
@@ -12,6 +13,7 @@
 #include "tests/support/lattices.hpp"
 #include "tests/support/worlds.hpp"
 #include <cmath>
+#include <string>
 
 namespace suffuse::triaxial {
 namespace {
@@ -67,6 +69,20 @@ TEST(PoreFluid, OfAnElasticSampleBearsAThirdOfTheDeviatorStressTimesB) {
         // Second order in the strain, and the burst of delay.
         EXPECT_NEAR(last.excess_pore_pressure / (last.deviator_stress - first.deviator_stress), b / 3, 0.02 * b / 3);
         EXPECT_NEAR(last.volumetric_strain, last.excess_pore_pressure * porosity / fluid.bulk_modulus, 0.02 * 5e-4);
+    }
+}
+
+TEST(PoreFluid, OfASampleWithoutAStiffnessSaysWhatAnUndrainedTestCanDo) {
+    dem::World world = test::two_grains(1e-4, 1e-4, 1e-6, {}); // they fly apart
+    test::add_contact(world, 0, 1);
+    try {
+        measure_skeleton_modulus(world, damping_of_water, {});
+        FAIL();
+    } catch (const StateError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("the sample is not at rest"), std::string::npos) << text;
+        EXPECT_NE(text.find("leave out `bulk_modulus`"), std::string::npos) << text;
+        EXPECT_EQ(text.find("raise"), std::string::npos) << text;
     }
 }
 

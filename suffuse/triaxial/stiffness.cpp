@@ -59,7 +59,7 @@ const Mat3& stress_of_twin(RestedState& state, std::size_t bursts, const Stiffne
 /// beyond that of the twin: grains that still creep do so in both
 Mat3 strain_by(
     LoadedSample& sample, RestedState& state, const StiffnessSpec& spec, const Mat3& strain, double damping,
-    StrainProbe& probe, const Pulse& pulse
+    StrainProbe& probe, const Pulse& pulse, const ProbeAdvice& advice
 ) {
     cell::Loading loading;
     loading.velocity_gradient = (-1 / (dem::burst_steps * state.time_step)) * strain;
@@ -75,9 +75,8 @@ Mat3 strain_by(
         quiet = !strains && norm_of(stress - before) <= at_rest * norm_of(stress) ? quiet + 1 : 0;
         if (probe.steps - begun > spec.max_steps) {
             throw StateError(fmt::format(
-                "a strain of {:.1e} brings no stress that stays: after {} steps the sample still yields; probe a state "
-                "further from failure, or raise max_steps",
-                norm_of(strain), spec.max_steps
+                "a strain of {:.1e} brings no stress that stays: after {} steps the sample still yields; {}",
+                norm_of(strain), spec.max_steps, advice.at_yielding
             ));
         }
         beat(pulse, "strain", probe.steps);
@@ -119,7 +118,9 @@ void add_mean_field(const dem::World& world, Stiffness& stiffness) {
 
 } // namespace
 
-RestedState rest_for_strains(const dem::World& world, const StiffnessSpec& spec, double damping, const Pulse& pulse) {
+RestedState rest_for_strains(
+    const dem::World& world, const StiffnessSpec& spec, double damping, const Pulse& pulse, const ProbeAdvice& advice
+) {
     dem::require_pressure(world, dem::mean_stress_tensor(world), "stiffness needs a sample");
     const dem::BalanceSpec goal = goal_of(spec);
     LoadedSample sample{world, {}, {}, false};
@@ -131,9 +132,8 @@ RestedState rest_for_strains(const dem::World& world, const StiffnessSpec& spec,
         state.steps += dem::burst_steps;
         if (!sample.rests && state.steps >= spec.max_steps) {
             throw StateError(fmt::format(
-                "the sample is not at rest: after {} steps its unbalanced force is {:.1e} (required {:.1e}); settle it "
-                "first, or raise unbalanced_force",
-                state.steps, sample.balance.equilibrium.unbalanced_force, spec.unbalanced_force
+                "the sample is not at rest: after {} steps its unbalanced force is {:.1e} (required {:.1e}); {}",
+                state.steps, sample.balance.equilibrium.unbalanced_force, spec.unbalanced_force, advice.at_no_rest
             ));
         }
         beat(pulse, "rest", state.steps);
@@ -144,13 +144,15 @@ RestedState rest_for_strains(const dem::World& world, const StiffnessSpec& spec,
     return state;
 }
 
-StrainProbe
-probe_strain(RestedState& state, const StiffnessSpec& spec, const Mat3& direction, double damping, const Pulse& pulse) {
+StrainProbe probe_strain(
+    RestedState& state, const StiffnessSpec& spec, const Mat3& direction, double damping, const Pulse& pulse,
+    const ProbeAdvice& advice
+) {
     LoadedSample sample{state.world, {}, {}, false};
     StrainProbe probe;
     const auto secant = [&](double strain) {
         const Mat3 half = (0.5 * spec.increment) * direction;
-        return in_voigt((1 / strain) * strain_by(sample, state, spec, half, damping, probe, pulse));
+        return in_voigt((1 / strain) * strain_by(sample, state, spec, half, damping, probe, pulse, advice));
     };
     probe.half = secant(0.5 * spec.increment);
     probe.whole = secant(spec.increment);

@@ -37,17 +37,28 @@ struct Stiffness : ElasticModuli {
     double mean_field_shear = 0;
 };
 
+/// What to do where a sample gives no stiffness, by the keys that its user has.
+struct ProbeAdvice {
+    const char* at_no_rest = "settle it first, or raise unbalanced_force";
+    const char* at_yielding = "probe a state further from failure, or raise max_steps";
+};
+
 inline constexpr int strain_directions = 6;
 inline constexpr double elastic_within = 0.02; ///< nonlinearity, at most, of an increment in the elastic range [-]
 
 /// Brings a copy of the state to rest at constant volume.
 /// @throws StateError when it carries no stress, or does not come to rest; Interrupted by `pulse`.
-RestedState rest_for_strains(const dem::World& world, const StiffnessSpec& spec, double damping, const Pulse& pulse);
+RestedState rest_for_strains(
+    const dem::World& world, const StiffnessSpec& spec, double damping, const Pulse& pulse,
+    const ProbeAdvice& advice = {}
+);
 
 /// Secant moduli of a strain in proportion to `direction`, compression positive, whose size `increment` scales.
 /// @throws StateError when the stress does not come to rest.
-StrainProbe
-probe_strain(RestedState& state, const StiffnessSpec& spec, const Mat3& direction, double damping, const Pulse& pulse);
+StrainProbe probe_strain(
+    RestedState& state, const StiffnessSpec& spec, const Mat3& direction, double damping, const Pulse& pulse,
+    const ProbeAdvice& advice = {}
+);
 
 /// Strain xx, yy, zz, yz, zx, xy by number.
 Mat3 strain_direction(int number);
