@@ -2,6 +2,7 @@
 
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/constants.hpp"
+#include "suffuse/base/student.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace suffuse::answer {
 namespace {
@@ -73,11 +73,10 @@ double end_strain(const study::StrengthChange& change) {
     return std::get<triaxial::TriaxialSpec>(change.after->spec).strain;
 }
 
-/// Probability that as many samples, two or three, of a soil that does not change differ as clearly: Student's t with
-/// one and two degrees of freedom.
+/// Probability that as many samples of a soil that does not change differ as clearly.
 double by_chance(const study::Scatter& change) {
     const double t = std::abs(change.mean) * std::sqrt(change.seeds) / change.standard_deviation;
-    return change.seeds == 2 ? 1 - 2 / pi * std::atan(t) : 1 - t / std::hypot(t, std::numbers::sqrt2);
+    return 1 - student_within(t, static_cast<std::size_t>(change.seeds - 1));
 }
 
 /// How many samples a verdict rests on, and what that is worth.

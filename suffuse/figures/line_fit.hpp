@@ -24,7 +24,4 @@ struct LineFit {
 /// @param x and y of as many points. Slope 0 where all x are one.
 LineFit fit_line(std::span<const double> x, std::span<const double> y);
 
-/// Probability that Student's t of some degrees of freedom lies within [-t, t] [Abramowitz and Stegun, 26.7.3 and 4].
-double student_within(double t, std::size_t freedom);
-
 } // namespace suffuse::figures

@@ -9,18 +9,6 @@
 namespace suffuse::figures {
 namespace {
 
-TEST(LineFit, KnowsStudentsTFromItsTable) {
-    // Two-sided 90 % and 95 % points of the printed table (Abramowitz and Stegun, table 26.10).
-    EXPECT_NEAR(student_within(6.314, 1), 0.9, 1e-4);
-    EXPECT_NEAR(student_within(2.920, 2), 0.9, 1e-4);
-    EXPECT_NEAR(student_within(2.353, 3), 0.9, 1e-4);
-    EXPECT_NEAR(student_within(2.132, 4), 0.9, 1e-4);
-    EXPECT_NEAR(student_within(2.015, 5), 0.9, 1e-4);
-    EXPECT_NEAR(student_within(2.228, 10), 0.95, 1e-4);
-    EXPECT_NEAR(student_within(1.699, 29), 0.9, 1e-4);
-    EXPECT_EQ(student_within(0, 7), 0);
-}
-
 TEST(LineFit, FindsALineAndItsScatterInClosedForm) {
     // y = 2 + 3 x, moved up and down by 0.1: residuals of that size around the line of least squares.
     const std::vector<double> x = {0, 1, 2, 3}, y = {2.1, 4.9, 7.9, 11.1};
