@@ -194,7 +194,17 @@ public:
 
     /// Skempton's B is that of a fluid.
     void check_fluid(const Stage& stage) {
-        if (std::ranges::count(stage.measure, "skempton-b") > 0 && !settings_.fluid.bulk_modulus) {
+        if (std::ranges::count(stage.measure, "skempton-b") == 0) {
+            return;
+        }
+        const triaxial::TriaxialSpec* const test = laboratory_test(stage.spec);
+        if (test != nullptr && test->path != triaxial::Path::Undrained) {
+            context_.problems.error(
+                "E207", stage_place(stage, "measure"),
+                fmt::format("stage \"{}\" measures Skempton's B, and its test is not undrained", stage.name),
+                "take an undrained test, or leave skempton-b out"
+            );
+        } else if (!settings_.fluid.bulk_modulus) {
             context_.problems.error(
                 "E207", stage_place(stage, "measure"),
                 fmt::format("stage \"{}\" measures Skempton's B, and [fluid] has no `bulk_modulus`", stage.name),

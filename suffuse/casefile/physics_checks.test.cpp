@@ -48,7 +48,14 @@ TEST(PhysicsChecks, SkemptonsBNeedsTheStiffnessOfTheFluid) {
     const Diagnostic found = find_problem(problems_of(good_case + stage), "E207");
     EXPECT_EQ(found.line, 18);
     EXPECT_NE(found.help.find("2.2 GPa"), std::string::npos);
-    EXPECT_EQ(problems_of(good_case + stage + "[fluid]\nbulk_modulus = \"2.2 GPa\"\n").size(), 0U);
+    const std::string fluid = "[fluid]\nbulk_modulus = \"2.2 GPa\"\n";
+    EXPECT_EQ(problems_of(good_case + stage + fluid).size(), 0U);
+    const std::string test = "[[study.one.stage]]\nname = \"x\"\ndo = \"triaxial\"\nmeasure = [\"skempton-b\"]\n";
+    EXPECT_NE(
+        find_problem(problems_of(good_case + test + fluid), "E207").message.find("its test is not undrained"),
+        std::string::npos
+    );
+    EXPECT_EQ(problems_of(good_case + test + "path = \"undrained\"\n" + fluid).size(), 0U);
 }
 
 TEST(PhysicsChecks, ADensityThatIsOffByAThousandIsDoubtful) {
