@@ -35,9 +35,10 @@ class CalibrateVerb : public Cli {
 protected:
     CalibrateVerb() {
         test::write_to(folder / "case.toml", few_grains);
-        std::string text = "axial strain [%],q [kPa],volumetric strain [%]\n";
+        std::string text = "axial strain [%],q [kPa],volumetric strain [%],p [kPa],operator\n";
         for (int k = 0; k <= 20; ++k) {
-            text += fmt::format("{},{},{}\n", 0.1 * k, 200 * (1 - std::exp(-0.4 * k)), 0.01 * k);
+            const double q = 200 * (1 - std::exp(-0.4 * k));
+            text += fmt::format("{},{},{},{},ab\n", 0.1 * k, q, 0.01 * k, 100 + q / 3);
         }
         test::write_to(folder / "t.csv", text);
     }
@@ -46,6 +47,8 @@ protected:
     void expect_report(const nlohmann::json& answer) {
         const std::string page = test::read_all(folder / "whole/report.html");
         EXPECT_NE(page.find("own-calibration-corner"), std::string::npos);
+        EXPECT_NE(page.find("How the records were read"), std::string::npos);
+        EXPECT_NE(page.find("(geometric)"), std::string::npos) << "mean of a modulus";
         EXPECT_EQ(page.find("id=\"unfinished\""), std::string::npos);
         std::filesystem::remove(folder / "whole/report.html");
         const ProgramResult again = run_suffuse({"report", "whole"});
@@ -105,7 +108,7 @@ protected:
             {"calibrate", "case.toml", "-o", "whole", "--no-cache", "--set", "seed=3"}, "other settings (another seed)"
         );
         const std::string before = test::read_all(folder / "t.csv");
-        test::write_to(folder / "t.csv", before + "2.1,201,0.21\n");
+        test::write_to(folder / "t.csv", before + "2.1,201,0.21,167,ab\n");
         refused({"resume", "whole", "--no-cache"}, "t.csv has changed since the calibration in whole began");
         test::write_to(folder / "t.csv", before);
         EXPECT_EQ(run_suffuse({"resume", "whole", "--no-cache"}).code, 0);
@@ -122,6 +125,10 @@ TEST_F(CalibrateVerb, FindsIntervalsAndContinuesToTheSameBits) {
     ASSERT_EQ(whole.code, 0) << whole.error;
     const nlohmann::json answer = whole.json();
     EXPECT_TRUE(answer.at("complete"));
+    EXPECT_NE(whole.error.find("assumed: \"p [kPa]\" is effective"), std::string::npos) << whole.error;
+    EXPECT_EQ(answer.at("fit")[0].at("assumed"), nlohmann::json::array({"\"p [kPa]\" is effective"}));
+    EXPECT_EQ(answer.at("fit")[0].at("unread"), nlohmann::json::array({"operator"}));
+    EXPECT_GE(answer.at("fit")[0].at("band_90"), 1.645);
     EXPECT_EQ(answer.at("rounds").at(0).at("designs"), 12);
     for (const auto& [key, parameter] : answer.at("parameters").items()) {
         EXPECT_LE(parameter.at("low"), parameter.at("high")) << key;
@@ -171,9 +178,19 @@ TEST_F(CalibrateVerb, IsCheckedAndPricedAsAnyCase) {
     ASSERT_EQ(checked.code, 0) << checked.error;
     EXPECT_EQ(checked.json().at("targets"), 1);
     EXPECT_EQ(checked.json().at("unknowns"), 3);
-    ASSERT_EQ(checked.json().at("problems").size(), 1U) << "120 grains make a narrow cell";
-    EXPECT_EQ(checked.json().at("problems")[0].at("code"), "W602");
-    EXPECT_EQ(checked.json().at("problems")[0].at("line"), 14) << "where the case has its particles";
+    const nlohmann::json problems = checked.json().at("problems");
+    ASSERT_EQ(problems.size(), 3U);
+    EXPECT_EQ(checked.json().at("warnings"), 3);
+    EXPECT_EQ(problems[0].at("code"), "W602") << "120 grains make a narrow cell";
+    EXPECT_EQ(problems[0].at("line"), 14) << "where the case has its particles";
+    for (const std::size_t k : {1U, 2U}) {
+        EXPECT_EQ(problems[k].at("code"), "W623") << "of its record";
+        EXPECT_EQ(problems[k].at("line"), 16) << "where its target is";
+    }
+    EXPECT_NE(
+        problems[1].at("message").get<std::string>().find("assumed: \"p [kPa]\" is effective"), std::string::npos
+    );
+    EXPECT_NE(problems[2].at("message").get<std::string>().find("not read: \"operator\""), std::string::npos);
     EXPECT_EQ(run_suffuse({"check", "case.toml", "--set", "calibrate.samples=none"}).code, 3);
     EXPECT_EQ(run_suffuse({"plan", "case.toml", "--json"}).json().at("samples"), 16);
     std::filesystem::remove(folder / "t.csv");

@@ -80,6 +80,9 @@ void print_parameters(const job::CalibrationResult& result, const Console& conso
     console.result(fmt::format("{:{}}  {:>12}  {:>12}  90 % interval", "parameter", width, "likeliest", "mean"));
     for (const job::ParameterResult& p : result.parameters) {
         std::string note = p.interval.is_identified() ? "" : "not identified";
+        if (p.unknown.is_log) {
+            note += std::string(note.empty() ? "" : ", ") + "geometric mean";
+        }
         if (const std::string bound = bound_text(p); !bound.empty()) {
             note += (note.empty() ? "" : ", ") + bound;
         }
@@ -153,6 +156,13 @@ int print_answer(const CalibrationJob& job, const job::CalibrationResult& result
     return code;
 }
 
+/// Of the samples and of the records.
+std::vector<Diagnostic> all_warnings(const casefile::CalibrationCase& what) {
+    std::vector<Diagnostic> all = what.warnings, of_records = job::warnings_of_records(what);
+    all.insert(all.end(), of_records.begin(), of_records.end());
+    return all;
+}
+
 } // namespace
 
 int check_calibration(const CalibrationJob& calibration, const Console& console) {
@@ -160,12 +170,13 @@ int check_calibration(const CalibrationJob& calibration, const Console& console)
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
     job::first_round(what); // which reads the files
     const auto targets = std::ssize(what.spec.targets), unknowns = std::ssize(what.spec.unknowns);
+    const std::vector<Diagnostic> warnings = all_warnings(what);
     nlohmann::json problems = nlohmann::json::array();
-    for (const Diagnostic& warning : what.warnings) {
+    for (const Diagnostic& warning : warnings) {
         problems.push_back(problem_json(warning));
     }
-    if (!what.warnings.empty() && !console.wants_json()) {
-        console.talk(render_within(what.warnings, console.has_color(), source_width()));
+    if (!warnings.empty() && !console.wants_json()) {
+        console.talk(render_within(warnings, console.has_color(), source_width()));
     }
     console.result(fmt::format(
         "{}: no errors; {}, {}; suffuse calibrate {} runs it", calibration.case_file, plural(targets, "target"),
@@ -174,7 +185,7 @@ int check_calibration(const CalibrationJob& calibration, const Console& console)
     console.document(json_text(
         {{"case", calibration.case_file},
          {"errors", 0},
-         {"warnings", what.warnings.size()},
+         {"warnings", warnings.size()},
          {"problems", std::move(problems)},
          {"targets", targets},
          {"unknowns", unknowns}}
@@ -204,6 +215,9 @@ int conduct_calibration(const CalibrationJob& calibration, const Console& consol
     const casefile::CalibrationCase what =
         casefile::load_calibration(calibration.case_file, {{}, calibration.overrides, {}});
     job::keep_calibration_case(calibration.case_file, what, calibration.folder);
+    if (const std::vector<Diagnostic> warnings = all_warnings(what); !warnings.empty()) {
+        console.talk(render_within(warnings, console.has_color(), source_width()));
+    }
     const Stopwatch watch;
     const fs::path checksums = calibration.folder / record::checksums_file;
     job::CalibrationOptions options{calibration.folder, {}};

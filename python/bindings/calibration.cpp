@@ -13,6 +13,7 @@
 
 #include "python/bindings/bindings.hpp"
 #include "python/bindings/listener.hpp"
+#include "python/bindings/warn_caller.hpp"
 #include <limits>
 #include <pybind11/stl/filesystem.h>
 
@@ -49,6 +50,9 @@ py::tuple calibrate(
     const double limit = time_limit_of(time_limit).value_or(std::numeric_limits<double>::infinity());
     const casefile::CalibrationCase what = casefile::load_calibration(case_file.string(), {{}, overrides, {}});
     job::first_round(what); // errors leave no folder
+    for (const Diagnostic& warning : job::warnings_of_records(what)) {
+        warn_caller(warning.message, 2);
+    }
     const fs::path folder = folder_of(case_file, wanted);
     job::keep_calibration_case(case_file.string(), what, folder);
     job::save_request(folder, {fs::absolute(case_file).string(), "", overrides, {}, cache.string()});

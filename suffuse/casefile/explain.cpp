@@ -200,6 +200,10 @@ constexpr std::array code_table = {
         "A fluid lighter than 500 or heavier than 2000 kg/m^3, or grains lighter than water: was 1 g/cm^3 meant where "
         "1 kg/m^3 is written? Heave, seepage forces and weights follow from both densities."},
     Code{
+        "W623", "assumed of a laboratory's record",
+        "A convention that neither the headings nor the numbers of a record decide, such as whether a stress is "
+        "effective, or a column that nothing names. `suffuse import FILE --kind triaxial` shows all that is read."},
+    Code{
         "E618", "a ramp that begins with heave",
         "With [gravity] the fines bear a gradient that rises. Above (1 - n)(rho_s - rho_f)/rho_f upward seepage lifts "
         "the whole soil: the ramp must begin below."},

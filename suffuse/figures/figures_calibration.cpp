@@ -14,8 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double normal_90 = 1.645; // half the width of a 90 % interval, in standard deviations
-
 /// A column of words that repeat.
 json color_of_name(const std::vector<std::pair<const char*, const char*>>& names, const char* of) {
     json domain = json::array(), range = json::array();
@@ -195,8 +193,8 @@ std::optional<Figure> calibration_fits(const std::vector<CalibratedCurve>& curve
             x.push_back(curve.x[k]);
             measured.push_back(curve.measured[k]);
             model.push_back(curve.model[k]);
-            low.push_back(curve.model[k] - normal_90 * curve.error[k]);
-            high.push_back(curve.model[k] + normal_90 * curve.error[k]);
+            low.push_back(curve.model[k] - curve.band[k]);
+            high.push_back(curve.model[k] + curve.band[k]);
         }
     }
     Table& table = figure.table;
@@ -210,12 +208,16 @@ std::optional<Figure> calibration_fits(const std::vector<CalibratedCurve>& curve
     table.add("high", "", std::move(high));
     figure.chart = two_in_a_row(panels, 300, fit_layers(titles));
     figure.chart["resolve"] = {{"scale", {{"x", "independent"}, {"y", "independent"}}}};
-    figure.caption = are_held_out ? "Predictions: means and 90 % bands of eight samples of the posterior, their "
-                                    "scatter included. These tests "
+    figure.caption = are_held_out ? "Lines: means of samples of the posterior, eight unless some failed. Bands: where "
+                                    "another such sample lies "
+                                    "with a probability of 90 %, by Student's t for so few samples; none where only "
+                                    "one succeeded. These tests "
                                     "were not fitted."
-                                  : "Lines: the model at the likeliest parameters, by its emulator. Bands: 90 % of the "
-                                    "error of the emulator, which has the scatter between samples in it. q is over the "
-                                    "pressure at the start.";
+                                  : "Lines: the model at the likeliest parameters, by its emulator. Bands: where a "
+                                    "sample of these parameters "
+                                    "lies with a probability of 90 %, by Student's t: error of the emulator and "
+                                    "scatter between samples. q is "
+                                    "over the pressure at the start.";
     return figure;
 }
 

@@ -24,9 +24,9 @@ struct CalibratedParameter {
 
 /// One quantity of one test.
 struct CalibratedCurve {
-    std::string target, quantity;                  ///< "low"; "q/p₀"
-    std::string x_title;                           ///< "axial strain [%]"
-    std::vector<double> x, measured, model, error; ///< in the units of the figure; `error` a standard deviation
+    std::string target, quantity;                 ///< "low"; "q/p₀"
+    std::string x_title;                          ///< "axial strain [%]"
+    std::vector<double> x, measured, model, band; ///< in the units of the figure; half of a 90 % band, or missing
     double relative_misfit = 0;
 };
 

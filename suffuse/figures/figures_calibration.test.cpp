@@ -35,10 +35,11 @@ TEST(CalibrationFigures, AnOpenParameterIsCountedInTheClaimAndColoredByItsVerdic
     EXPECT_EQ(figure.table.words("verdict"), (std::vector<std::string>{"identified", "not identified"}));
 }
 
-TEST(CalibrationFigures, TheBandOfAFitIsNinetyPercentOfTheErrorToEachSide) {
+TEST(CalibrationFigures, TheBandOfAFitIsOnBothSidesAndNamesItsMeaning) {
     const Figure figure = *calibration_fits({curve("low", 0.03), curve("high", 0.2)}, false);
-    EXPECT_NEAR(figure.table.numbers("low")[0], 1.5 - 1.645 * 0.1, 1e-12);
-    EXPECT_NEAR(figure.table.numbers("high")[1], 2.5 + 1.645 * 0.2, 1e-12);
+    EXPECT_NEAR(figure.table.numbers("low")[0], 1.5 - 0.1, 1e-12);
+    EXPECT_NEAR(figure.table.numbers("high")[1], 2.5 + 0.2, 1e-12);
+    EXPECT_NE(figure.caption.find("by Student's t"), std::string::npos);
     EXPECT_EQ(figure.chart["facet"]["sort"].size(), 2U);
     EXPECT_EQ(figure.claim, "The model misses the tests by up to 20 % of the largest value");
     EXPECT_EQ(figure.id, "own-calibration-fit");

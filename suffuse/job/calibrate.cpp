@@ -1,6 +1,7 @@
 #include "suffuse/job/calibrate.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/student.hpp"
 #include "suffuse/calibration/next_designs.hpp"
 #include "suffuse/job/curve_knowledge.hpp"
 #include "suffuse/record/folder.hpp"
@@ -8,10 +9,12 @@
 #include "suffuse/record/stored_findings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace suffuse::job {
 namespace {
@@ -277,6 +280,7 @@ private:
                 squares[k] += value * value;
             }
         }
+        fit.band = next_sample_90(static_cast<std::size_t>(count));
         for (std::size_t k = 0; count > 0 && k < rows.size(); ++k) {
             const double mean = sum[k] / count;
             fit.model.push_back(mean);
@@ -343,6 +347,32 @@ private:
 
 CalibrationResult calibrate(const casefile::CalibrationCase& what, const CalibrationOptions& options) {
     return Calibration(what, options).run();
+}
+
+std::vector<Diagnostic> warnings_of_records(const casefile::CalibrationCase& what) {
+    Problems problems;
+    std::set<std::string> texts;
+    const auto warn = [&](const casefile::CalibrateTarget& target, const std::string& text, const char* help) {
+        const std::string message = fmt::format("{}: {}", target.file, text);
+        if (texts.insert(message).second) {
+            problems.warning("W623", target.place, message, help);
+        }
+    };
+    for (const casefile::CalibrateTarget& target : what.spec.targets) {
+        const LaboratoryCurve curve = read_laboratory_curve(target);
+        for (const laboratory::Finding& finding : curve.findings) {
+            if (finding.is_assumed) {
+                warn(target, "assumed: " + finding.text, "write it into the heading of the column if it is so");
+            }
+        }
+        if (!curve.unread.empty()) {
+            warn(
+                target, fmt::format("not read: \"{}\"", fmt::join(curve.unread, "\", \"")),
+                "docs/laboratory-tests.md has the words of headings; columns that say nothing of the test may stay"
+            );
+        }
+    }
+    return problems.sorted();
 }
 
 casefile::Case first_round(casefile::CalibrationCase what) {

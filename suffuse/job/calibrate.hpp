@@ -48,6 +48,7 @@ struct TargetFit {
     std::vector<double> model_deviation; ///< of it: the error of the emulator; held out: scatter of the samples
     std::vector<double> seed_scatter;    ///< of it, between samples of the same parameters; empty where there are none
     int samples = 0, failed = 0;
+    double band = 0; ///< half the width of what a sample lies in with 90 %, over model_deviation; infinite: not known
 };
 
 /// A measurement that would narrow an interval that these data leave wide.
@@ -88,6 +89,9 @@ struct CalibrationResult {
 /// the same bits; a round that the folder holds is taken as it is.
 /// @throws StateError where too few samples of a target succeed
 CalibrationResult calibrate(const casefile::CalibrationCase& what, const CalibrationOptions& options);
+
+/// What was assumed of the records of its targets, and what was not read of them; once for each file.
+std::vector<Diagnostic> warnings_of_records(const casefile::CalibrationCase& what);
 
 /// The first round alone, to know its price.
 casefile::Case first_round(casefile::CalibrationCase what);

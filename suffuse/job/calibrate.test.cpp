@@ -150,6 +150,8 @@ TEST_F(Calibrate, FindsTheParametersOfTheLawAndPredictsAHeldOutTest) {
     }
     EXPECT_EQ(result.fits[2].target.name, "later");
     EXPECT_EQ(result.fits[2].samples, 8);
+    EXPECT_NEAR(result.fits[2].band, 1.895 * std::sqrt(1 + 1.0 / 8), 1e-3) << "Student's t of the ninth sample";
+    EXPECT_GT(result.fits[0].band, 1.645) << "of an emulator from few runs";
     int designs = 0;
     for (const RoundResult& round : result.rounds) {
         designs += round.designs;

@@ -90,7 +90,7 @@ json fit_json(const TargetFit& fit) {
         }
     }
     const bool is_oedometer = fit.target.test == casefile::CalibrateTest::Oedometer;
-    return {
+    json one = {
         {"target", fit.target.name},
         {"file", fit.target.file},
         {"sample", fit.target.sample},
@@ -99,6 +99,17 @@ json fit_json(const TargetFit& fit) {
         {"curves", std::move(curves)},
         {"samples", fit.samples},
         {"failed", fit.failed}};
+    for (const char* key : {"decided", "assumed"}) {
+        one[key] = json::array();
+    }
+    for (const laboratory::Finding& finding : fit.laboratory.findings) {
+        one[finding.is_assumed ? "assumed" : "decided"].push_back(finding.text);
+    }
+    one["unread"] = fit.laboratory.unread;
+    if (std::isfinite(fit.band)) {
+        one["band_90"] = fit.band;
+    }
+    return one;
 }
 
 json round_json(const RoundResult& round) {

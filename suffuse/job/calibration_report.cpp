@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace suffuse::job {
 namespace {
@@ -152,7 +153,10 @@ std::vector<figures::CalibratedCurve> curves_in(const json& fits) {
             curve.x = numbers(fit.at(is_oedometer ? "axial_stress" : "axial_strain"), x_size);
             curve.measured = numbers(stored.at("measured"), words.size);
             curve.model = numbers(stored.at("model"), words.size);
-            curve.error = numbers(stored.at("model_error"), words.size);
+            curve.band = numbers(stored.at("model_error"), words.size);
+            for (double& half : curve.band) {
+                half *= fit.value("band_90", figures::missing);
+            }
             curve.relative_misfit = stored.at("relative_misfit");
         }
     }
@@ -182,7 +186,9 @@ figures::PageTable parameters_table(const FoundCalibration& found) {
     table.title = "Parameters";
     table.note =
         "The likeliest values belong together. An interval contains the parameter with a probability of 90 %, if the "
-        "model can behave like the soil. Share: width of the interval over that of the range.";
+        "model can behave like the soil. Share: width of the interval over that of the range. The mean over a "
+        "logarithmic "
+        "range is the geometric one.";
     table.header = {"parameter", "likeliest", "mean", "90 % interval", "range of the case", "share", "verdict"};
     table.numeric = {false, true, true, true, true, true, false};
     for (const std::string& key : found.keys) {
@@ -195,7 +201,8 @@ figures::PageTable parameters_table(const FoundCalibration& found) {
             remark += p.at("bound") == "low" ? "; at its lower bound" : "; at its upper bound";
         }
         table.rows.push_back(
-            {key, value_in_words(p, p.at("best")), value_in_words(p, p.at("mean")), interval_in_words(p),
+            {key, value_in_words(p, p.at("best")),
+             value_in_words(p, p.at("mean")) + (p.at("logarithmic") ? " (geometric)" : ""), interval_in_words(p),
              fmt::format(
                  "{} to {}{}", value_in_words(p, p.at("range").at(0)), value_in_words(p, p.at("range").at(1)),
                  p.at("logarithmic") ? ", log" : ""
@@ -251,6 +258,31 @@ figures::PageTable tests_table(const json& answer) {
                  kind == std::string("fit") ? "fitted" : "held out", misfits,
                  std::to_string(fit.at("samples").get<int>()), std::to_string(fit.at("failed").get<int>())}
             );
+        }
+    }
+    return table;
+}
+
+/// Each record once, with what was found of it.
+figures::PageTable records_table(const json& answer) {
+    figures::PageTable table;
+    table.section = "Fit";
+    table.title = "How the records were read";
+    table.note = "Found: the file decides. Assumed: correct it by the heading of the column if it is not so.";
+    table.header = {"record", "", "what"};
+    table.numeric = {false, false, false};
+    for (const char* kind : {"fit", "held_out"}) {
+        for (const json& fit : answer.at(kind)) {
+            const std::string record = fs::path(fit.at("file").get<std::string>()).filename().string();
+            for (const auto& [key, word] :
+                 {std::pair("assumed", "assumed"), {"unread", "not read"}, {"decided", "found"}}) {
+                for (const json& text : fit.value(key, json::array())) {
+                    std::vector<std::string> row = {record, word, text.get<std::string>()};
+                    if (std::ranges::find(table.rows, row) == table.rows.end()) {
+                        table.rows.push_back(std::move(row));
+                    }
+                }
+            }
         }
     }
     return table;
@@ -328,7 +360,9 @@ report::ReportData describe_calibration(const FoundCalibration& found, const fs:
             failure.at("message").get<std::string>()
         ));
     }
-    data.tables = {parameters_table(found), correlations_table(found), tests_table(answer), rounds_table(found)};
+    data.tables = {
+        parameters_table(found), correlations_table(found), tests_table(answer), records_table(answer),
+        rounds_table(found)};
     data.figures.push_back(figures::calibration_intervals(found.parameters));
     for (std::optional<figures::Figure> figure :
          {figures::calibration_corner(found.parameters, found.posterior.rows),

@@ -1,6 +1,7 @@
 #include "suffuse/job/curve_knowledge.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/student.hpp"
 
 #include <fmt/format.h>
 
@@ -133,6 +134,7 @@ std::vector<TargetFit> CurveKnowledge::fits(const Point& best) const {
                       known.samples,
                       known.failed};
         const calibration::CurveEmulator& emulator = known.test.emulator;
+        fit.band = student_90(static_cast<std::size_t>(emulator.degrees_of_freedom()));
         const Curve mean = emulator.mean(own);
         const double variance = emulator.variance(own);
         for (const int k : fit.laboratory.rows) {

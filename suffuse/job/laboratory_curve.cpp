@@ -1,6 +1,6 @@
 #include "suffuse/job/laboratory_curve.hpp"
 
-#include "suffuse/base/error.hpp"
+#include "suffuse/job/laboratory_readings.hpp"
 #include "suffuse/laboratory/read_test.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 namespace suffuse::job {
 namespace {
@@ -16,7 +15,6 @@ namespace {
 using casefile::CalibrateTarget;
 using casefile::CalibrateTest;
 using laboratory::Quantity;
-using Values = std::vector<double>;
 
 /// Of the largest strain: closer where curves bend.
 constexpr std::array strain_shares = {0.025, 0.05, 0.075, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0};
@@ -24,97 +22,6 @@ constexpr int stresses_of_grid = 10;
 constexpr double unloading = 0.95;    // of the largest stress so far: below it a test is unloaded
 constexpr double least_strain = 5e-4; // deviation of strains, however small they are
 constexpr double least_ratio = 0.01;  // of stress ratios
-
-/// The readings of one test.
-class Readings {
-public:
-    Readings(const laboratory::TestRecord& record, const CalibrateTarget& target) : record_(record), target_(target) {
-        const auto named = std::ranges::find(record.tests, target.sample, &laboratory::NamedTest::name);
-        const bool is_only = target.sample.empty() && record.tests.size() == 1;
-        if (named == record.tests.end() && !is_only) {
-            complain(
-                target.sample.empty() ? fmt::format(
-                                            "holds {} tests; name one, as in sample = \"{}\"", record.tests.size(),
-                                            record.tests.front().name
-                                        )
-                                      : fmt::format(
-                                            "has no test \"{}\"; its tests are \"{}\" to \"{}\"", target.sample,
-                                            record.tests.front().name, record.tests.back().name
-                                        )
-            );
-        }
-        range_ = is_only ? record.tests.front() : *named;
-    }
-
-    [[nodiscard]] const laboratory::TestColumn* find(Quantity quantity) const { return record_.find(quantity); }
-
-    [[nodiscard]] Values of(Quantity quantity) const {
-        const laboratory::TestColumn* column = record_.find(quantity);
-        if (column == nullptr) {
-            complain(fmt::format("has no column of {}", laboratory::row_of(quantity).name));
-        }
-        const auto begin = column->values.begin();
-        return {begin + static_cast<std::ptrdiff_t>(range_.begin), begin + static_cast<std::ptrdiff_t>(range_.end)};
-    }
-
-    [[noreturn]] void complain(const std::string& what) const {
-        throw CaseError(fmt::format("target \"{}\": {} {}", target_.name, target_.file, what));
-    }
-
-private:
-    const laboratory::TestRecord& record_;
-    const CalibrateTarget& target_;
-    laboratory::NamedTest range_;
-};
-
-Values since_start(Values values) {
-    const double start = values.empty() ? 0 : values.front();
-    for (double& value : values) {
-        value -= start;
-    }
-    return values;
-}
-
-/// A stress, less the pore pressure where its heading calls it total and `as_effective` is wanted.
-Values stress_of(const Readings& readings, Quantity quantity, bool as_effective) {
-    Values stress = readings.of(quantity);
-    if (as_effective && !readings.find(quantity)->is_effective.value_or(true)) {
-        std::ranges::transform(stress, readings.of(Quantity::PorePressure), stress.begin(), std::minus());
-    }
-    return stress;
-}
-
-/// Of stresses of which one is effective and the other total, both are taken as effective.
-Values deviator_of(const Readings& readings) {
-    if (readings.find(Quantity::DeviatorStress) != nullptr) {
-        return readings.of(Quantity::DeviatorStress);
-    }
-    const auto is_effective = [&](Quantity quantity) {
-        const laboratory::TestColumn* column = readings.find(quantity);
-        return column != nullptr ? column->is_effective : std::nullopt;
-    };
-    const auto axial = is_effective(Quantity::AxialStress), radial = is_effective(Quantity::RadialStress);
-    const bool are_mixed = axial && radial && *axial != *radial;
-    Values deviator = stress_of(readings, Quantity::AxialStress, are_mixed);
-    std::ranges::transform(
-        deviator, stress_of(readings, Quantity::RadialStress, are_mixed), deviator.begin(), std::minus()
-    );
-    return deviator;
-}
-
-/// Effective mean stress: measured, or what the pore water leaves of the pressure of the start.
-Values mean_of(const Readings& readings, double pressure) {
-    const laboratory::TestColumn* mean = readings.find(Quantity::MeanStress);
-    if (mean != nullptr && mean->is_effective.value_or(true)) {
-        return readings.of(Quantity::MeanStress);
-    }
-    Values effective = deviator_of(readings);
-    const Values water = since_start(readings.of(Quantity::PorePressure));
-    std::ranges::transform(effective, water, effective.begin(), [&](double q, double u) {
-        return pressure + q / 3 - u;
-    });
-    return effective;
-}
 
 /// The value of `y` where `x` first reaches `at`; the last one where it does not.
 double first_at(const Values& x, const Values& y, double at) {
@@ -161,6 +68,28 @@ CurveForm strain_form(const Readings& readings, const Values& strain, const Cali
     return form;
 }
 
+/// A drained test keeps its lateral stress, an undrained one begins at it.
+void expect_lateral_stress(const Readings& readings, const CalibrateTarget& target) {
+    constexpr double tolerance = 0.1; // of the pressure
+    const auto lateral = lateral_stress_of(readings);
+    if (!lateral) {
+        return;
+    }
+    const Values strain = since_start(readings.of(Quantity::AxialStrain));
+    for (std::size_t k = 0; k < strain.size(); ++k) {
+        const bool counts = k == 0 || (target.test == CalibrateTest::Drained && strain[k] <= target.strain);
+        if (counts && std::abs((*lateral)[k] - target.pressure) > tolerance * target.pressure) {
+            readings.complain(fmt::format(
+                "has an effective lateral stress of {:.4g} kPa at an axial strain of {:.2g} %, and the test that it is "
+                "compared with has `pressure` = {:.4g} kPa there: write the lateral stress as `pressure`, or take a "
+                "record "
+                "that keeps it",
+                (*lateral)[k] / 1e3, 100 * strain[k], target.pressure / 1e3
+            ));
+        }
+    }
+}
+
 /// That the record is one of such a test under such a pressure. @throws CaseError
 void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
     constexpr double no_volume = 2e-3; // of strain, where water can neither enter nor leave
@@ -173,6 +102,7 @@ void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
             first / 1e3, target.pressure / 1e3
         ));
     }
+    expect_lateral_stress(readings, target);
     if (target.test == CalibrateTest::Undrained) {
         if (readings.find(Quantity::VolumetricStrain) == nullptr) {
             return;
@@ -188,13 +118,6 @@ void expect_its_test(const Readings& readings, const CalibrateTarget& target) {
             ));
         }
     } else {
-        if (readings.find(Quantity::VolumetricStrain) != nullptr &&
-            std::ranges::all_of(since_start(readings.of(Quantity::VolumetricStrain)), [](double strain) {
-                return strain == 0;
-            })) {
-            readings.complain("has a volumetric strain that never changes, as if it was not measured: leave it out, or "
-                              "write test = \"undrained\"");
-        }
         const double most = std::ranges::max(deviator_of(readings));
         if (most > steepest * target.pressure) {
             readings.complain(fmt::format(
@@ -240,8 +163,7 @@ void append_compression(Values& curve, const Values& grid, const Values& stress,
 }
 
 LaboratoryCurve oedometer_curve(const Readings& readings, const CalibrateTarget& target) {
-    const bool has_water = readings.find(Quantity::PorePressure) != nullptr;
-    Values stress = stress_of(readings, Quantity::AxialStress, has_water), strain;
+    Values stress = stress_of(readings, Quantity::AxialStress, true), strain;
     if (readings.find(Quantity::AxialStrain) != nullptr) {
         strain = readings.of(Quantity::AxialStrain);
     } else {
@@ -277,14 +199,30 @@ LaboratoryCurve oedometer_curve(const Readings& readings, const CalibrateTarget&
     return curve;
 }
 
+/// Misfits are over the largest value of a part.
+void expect_values(const Readings& readings, CurveQuantity quantity, const Values& values) {
+    if (std::ranges::any_of(values, [](double value) { return value != 0; })) {
+        return;
+    }
+    std::string words(key_of(quantity));
+    std::ranges::replace(words, '_', ' ');
+    readings.complain(fmt::format(
+        "has only zeros as {} where it is compared, as if that was not measured: {}", words,
+        quantity == CurveQuantity::VolumetricStrain ? "leave its column out, or write test = \"undrained\""
+                                                    : "correct the numbers of its column"
+    ));
+}
+
 /// Deviations, and where each part is in a simulated curve.
-void complete(LaboratoryCurve& curve, double scatter) {
+void complete(LaboratoryCurve& curve, const Readings& readings, double scatter) {
     const std::size_t n = curve.form.grid.size();
     for (std::size_t m = 0; m < curve.form.measured.size(); ++m) {
         const CurveQuantity quantity = curve.form.measured[m];
         const auto part = std::ranges::find(curve.form.parts, quantity) - curve.form.parts.begin();
         const auto begin = curve.values.begin() + static_cast<std::ptrdiff_t>(m * n);
-        const double deviation = deviation_of(quantity, {begin, begin + static_cast<std::ptrdiff_t>(n)}, scatter);
+        const Values values(begin, begin + static_cast<std::ptrdiff_t>(n));
+        expect_values(readings, quantity, values);
+        const double deviation = deviation_of(quantity, values, scatter);
         for (std::size_t k = 0; k < n; ++k) {
             curve.rows.push_back(static_cast<int>(static_cast<std::size_t>(part) * n + k));
         }
@@ -316,7 +254,9 @@ LaboratoryCurve laboratory_curve(const laboratory::TestRecord& record, const Cal
     const Readings readings(record, target);
     LaboratoryCurve curve =
         target.test == CalibrateTest::Oedometer ? oedometer_curve(readings, target) : triaxial_curve(readings, target);
-    complete(curve, target.scatter);
+    complete(curve, readings, target.scatter);
+    curve.findings = record.findings;
+    curve.unread = record.unread;
     return curve;
 }
 

@@ -30,10 +30,12 @@ struct CurveForm {
 
 struct LaboratoryCurve {
     CurveForm form;
-    std::vector<double> values;     ///< of the measured parts
-    std::vector<double> deviations; ///< that are expected of them: the target's scatter
-    std::vector<int> rows;          ///< where they are in a simulated curve
-    std::vector<int> begins;        ///< first row of each measured part but the first
+    std::vector<double> values;                ///< of the measured parts
+    std::vector<double> deviations;            ///< that are expected of them: the target's scatter
+    std::vector<int> rows;                     ///< where they are in a simulated curve
+    std::vector<int> begins;                   ///< first row of each measured part but the first
+    std::vector<laboratory::Finding> findings; ///< how its record was read
+    std::vector<std::string> unread;           ///< columns of the record that were not
 };
 
 /// Expected of the values of one part: the share `scatter` of the largest, but no less than an apparatus resolves.

@@ -131,13 +131,58 @@ TEST(LaboratoryCurve, IsRefusedWhereItsTestBeganElsewhere) {
         refusal_of_text(sheared, CalibrateTest::Drained).find("begins at q = 50 kPa, and the test"), std::string::npos
     );
     EXPECT_NE(
-        refusal_of_text(constant, CalibrateTest::Drained).find("volumetric strain that never changes"),
+        refusal_of_text(constant, CalibrateTest::Drained).find("has only zeros as volumetric strain where"),
+        std::string::npos
+    );
+    std::string late_stress = "axial strain [%],q [kPa]\n", no_strain = "axial stress [kPa],axial strain [%]\n";
+    for (int k = 0; k <= 20; ++k) {
+        late_stress += fmt::format("{},{}\n", k, k > 10 ? 10 * k : 0); // beyond the 10 % that are compared
+        no_strain += fmt::format("{},{}\n", 50 + 50 * k, k == 0 ? -1 : 0);
+    }
+    EXPECT_NE(
+        refusal_of_text(late_stress, CalibrateTest::Drained).find("has only zeros as stress ratio where"),
+        std::string::npos
+    );
+    EXPECT_NE(
+        refusal_of_text(no_strain, CalibrateTest::Oedometer).find("has only zeros as axial strain where"),
         std::string::npos
     );
     const std::string late = "axial stress [kPa],axial strain [%]\n150,0\n300,1\n600,2\n";
     EXPECT_NE(
         refusal_of_text(late, CalibrateTest::Oedometer).find("begins at 150 kPa, above the `pressure` of 100 kPa"),
         std::string::npos
+    );
+}
+
+TEST(LaboratoryCurve, IsRefusedWhereItsLateralStressIsNotThePressure) {
+    const auto with_mean = [](double pressure, double slope) { // of q over p'
+        std::string text = "axial strain [%],q [kPa],p' [kPa]\n";
+        for (int k = 0; k <= 10; ++k) {
+            text += fmt::format("{},{},{}\n", k, 12 * k, pressure + 12 * k / slope);
+        }
+        return text;
+    };
+    EXPECT_EQ(refusal_of_text(with_mean(100, 3), CalibrateTest::Drained), "");
+    EXPECT_NE(
+        refusal_of_text(with_mean(400, 3), CalibrateTest::Drained)
+            .find("lateral stress of 400 kPa at an axial strain of 0"),
+        std::string::npos
+    );
+    EXPECT_NE(
+        refusal_of_text(with_mean(400, 3), CalibrateTest::Undrained).find("lateral stress of 400"), std::string::npos
+    );
+    EXPECT_NE(
+        refusal_of_text(with_mean(100, 1e9), CalibrateTest::Drained)
+            .find("lateral stress of 88 kPa at an axial strain of 3"),
+        std::string::npos
+    ) << "at a constant mean stress";
+    EXPECT_EQ(refusal_of_text(with_mean(100, -3), CalibrateTest::Undrained), "");
+}
+
+TEST(LaboratoryCurve, OfAnOedometerUnderTotalStressesNeedsThePorePressure) {
+    const std::string text = "total axial stress [kPa],axial strain [%]\n100,0\n200,1\n400,2\n";
+    EXPECT_NE(
+        refusal_of_text(text, CalibrateTest::Oedometer).find("has no column of pore pressure"), std::string::npos
     );
 }
 
