@@ -51,7 +51,7 @@ py::tuple calibrate(
     const casefile::CalibrationCase what = casefile::load_calibration(case_file.string(), {{}, overrides, {}});
     job::first_round(what); // errors leave no folder
     for (const Diagnostic& warning : job::warnings_of_records(what)) {
-        warn_caller(warning.message, 2);
+        warn_caller(warning.message, 3); // suffuse.calibrate and its wrapper are above it
     }
     const fs::path folder = folder_of(case_file, wanted);
     job::keep_calibration_case(case_file.string(), what, folder);

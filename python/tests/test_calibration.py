@@ -46,7 +46,9 @@ def test_undrained_and_oedometer_tests_give_parameters_and_a_stopped_one_goes_on
     with pytest.raises(suffuse.IoError, match="has not ended"):
         suffuse.Calibration(tmp_path / "part", {"complete": False}).verify()
     heard = []
-    found = suffuse.calibrate(case, tmp_path / "part", on_progress=heard.append)
+    with pytest.warns(UserWarning, match='assumed: "axial stress.*is effective') as warned:
+        found = suffuse.calibrate(case, tmp_path / "part", on_progress=heard.append)
+    assert warned[0].filename == __file__
     assert heard and {letter["verb"] for letter in heard} >= {"compact"}
     assert found.is_complete and set(found.parameters) == {"contact.modulus", "contact.friction", "void_ratio"}
     for parameter in found.parameters.values():
