@@ -187,8 +187,7 @@ figures::PageTable parameters_table(const FoundCalibration& found) {
     table.note =
         "The likeliest values belong together. An interval contains the parameter with a probability of 90 %, if the "
         "model can behave like the soil. Share: width of the interval over that of the range. The mean over a "
-        "logarithmic "
-        "range is the geometric one.";
+        "logarithmic range is the geometric one.";
     table.header = {"parameter", "likeliest", "mean", "90 % interval", "range of the case", "share", "verdict"};
     table.numeric = {false, true, true, true, true, true, false};
     for (const std::string& key : found.keys) {
