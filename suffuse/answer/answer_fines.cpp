@@ -55,18 +55,22 @@ std::string conditions(const study::FinesSweep& sweep) {
         return {};
     }
     const auto [fewest, most] = std::minmax_element(grains.begin(), grains.end(), is_less);
-    const int seeds = static_cast<int>(study.loose.points.front().seed.size());
+    const auto [few, many] =
+        std::ranges::minmax(study.loose.points, {}, [](const study::SweepPoint& point) { return point.seed.size(); });
+    const std::string seeds = (few.seed.size() == many.seed.size() ? "" : fmt::format("{} to ", few.seed.size())) +
+                              fmt::format("{} {}", many.seed.size(), many.seed.size() == 1 ? "sample" : "samples");
+    const std::string others = study::other_values(sweep);
     const std::string count =
         fewest->value.mean == most->value.mean
             ? grouped(std::llround(most->value.mean))
             : grouped(std::llround(fewest->value.mean)) + " to " + grouped(std::llround(most->value.mean));
     return fmt::format(
         "Question: from which fines content on do the fines of the soil “{}” carry load? {} mixtures of {} to {} "
-        "fines, {} {} of each with {} grains, were brought to {} kPa{}.",
+        "fines, {} of each with {} grains, were brought to {} kPa{}{}.",
         sweep.study->variants.front().soil_name, study.fines_content.size(), percent_name(study.fines_content.front()),
-        percent_name(study.fines_content.back()), seeds, seeds == 1 ? "sample" : "samples", count,
-        short_number(pressure.front().value.mean / 1e3),
-        study.dense.points.empty() ? "" : fmt::format(" in the states “{}” and “{}”", sweep.loose, sweep.dense)
+        percent_name(study.fines_content.back()), seeds, count, short_number(pressure.front().value.mean / 1e3),
+        study.dense.points.empty() ? "" : fmt::format(" in the states “{}” and “{}”", sweep.loose, sweep.dense),
+        others.empty() ? "" : ", all at " + others
     );
 }
 

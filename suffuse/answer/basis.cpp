@@ -159,17 +159,21 @@ void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
     if (weight <= 1) {
         return;
     }
-    const double factor = std::pow(std::max(1.0, wide / width), 3);
+    const double wider = std::pow(wide / width, 3),
+                 more = many / static_cast<double>(std::max<std::int64_t>(1, coarse));
+    const std::string to_have =
+        wider > 1 && more > 1 ? fmt::format("{:g} and {:g}", wide, many) : fmt::format("{:g}", wider > 1 ? wide : many);
     const casefile::Study& study = *story.first->study;
-    const std::string key = study.sample_size ? "sample_size.coarse_grains" : "particles";
-    const double count =
-        study.sample_size ? factor * static_cast<double>(coarse) : factor * static_cast<double>(grains);
+    // The floor of `sample_size` is the rule that none of its others lowers.
+    const std::string key = study.sample_size ? "sample_size.at_least" : "particles";
+    const std::int64_t specified = study.sample_size ? study.sample_size->at_least : study.particles;
+    const double count = std::max(wider, more) * static_cast<double>(std::max(grains, specified));
     doubts.push_back(
-        {weight,
-         fmt::format(
-             "The cell is {} largest grains wide and has {} coarse grains. To have {:g}: `--set study.{}.{}={}`.",
-             short_number(width, 2), grouped(coarse), wide, study.name, key, std::llround(std::ceil(count / 100) * 100)
-         )}
+        {weight, fmt::format(
+                     "The cell is {} largest grains wide and has {} coarse grains. To have {}: `--set study.{}.{}={}`.",
+                     short_number(width, 2), grouped(coarse), to_have, study.name, key,
+                     std::llround(std::ceil(count / 100) * 100)
+                 )}
     );
 }
 

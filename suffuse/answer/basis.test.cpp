@@ -110,6 +110,19 @@ TEST_F(Basis, EachDoubtSaysWhatWouldRemoveIt) {
     EXPECT_NE(first_doubt(story(20, 0)).find("Only 60 % of the mass is modeled"), std::string::npos);
 }
 
+TEST_F(Basis, ALargerSampleIsLargerThanTheOneThatIsThere) {
+    mobility_.id.resize(950), mobility_.mass.resize(950), mobility_.diameter.resize(950);
+    EXPECT_EQ(
+        first_doubt(story(20, 0)), "The cell is 20 largest grains wide and has 50 coarse grains. To have 200: `--set "
+                                   "study.dam.particles=4000`."
+    );
+    EXPECT_NE(
+        first_doubt(story(5, 0)).find("To have 10 and 200: `--set study.dam.particles=8000`."), std::string::npos
+    );
+    study_.particles = 0, study_.sample_size.emplace().at_least = 2000;
+    EXPECT_NE(first_doubt(story(20, 0)).find("study.dam.sample_size.at_least=8000"), std::string::npos);
+}
+
 TEST_F(Basis, CountsTheCoarseGrainsOfTheSampleBeforeItsErosion) {
     const std::string before = first_doubt(story(5, 0));
     study::MobilityStory eroded = story(5, 0);

@@ -3,19 +3,18 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/ending_words.hpp"
 #include "suffuse/facts/shown.hpp"
-#include "suffuse/study/passes.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace suffuse::answer {
 namespace {
 
 std::vector<std::string> row_of(const record::FinishedStage& stage) {
     const erosion::ErosionResult& erosion = *stage.findings.erosion;
-    const erosion::PassResult &first = erosion.passes.front(), &last = erosion.passes.back();
+    const erosion::PassResult& last = erosion.passes.back();
+    const study::ErosionSpan span = *study::span_of({&erosion});
     const std::optional<double> change = erosion::permeability_change(erosion);
     const erosion::PassResult* const worst = erosion::pass_of_largest_loss(erosion);
     double strain = 0;
@@ -24,12 +23,12 @@ std::vector<std::string> row_of(const record::FinishedStage& stage) {
     }
     return {
         study::in_words_of_sample(stage),
-        erosion::is_forced(erosion) ? "forced" : fmt::format("{:g}", first.probe.gradient),
+        span.is_by_force() ? "forced" : span.gradients(),
         fmt::format("{}", erosion.passes.size()),
         fmt::format("{:.2f}", erosion::eroded_percent(erosion)),
         fmt::format("{:.4f}", last.porosity_after),
         change ? short_number(*change) : "–",
-        percent_beyond_noise(worst == nullptr ? 0 : 100 * std::max(0.0, *erosion::stress_loss(*worst))),
+        percent_beyond_noise(worst == nullptr ? 0 : 100 * *erosion::stress_loss(*worst)),
         percent_beyond_noise(100 * strain),
         last.verdict ? facts::words_of(last.verdict) : "passes specified"};
 }
@@ -40,9 +39,10 @@ std::optional<figures::PageTable> tabulate_erosions(const std::vector<record::Fi
     figures::PageTable table;
     table.section = "Erosion";
     table.title = "All erosions";
-    table.note = "Over all passes. The loss of mean stress is the largest of a pass, at constant volume; the strain is "
-                 "under the stresses held before, contraction positive. The figures of this section are of one of "
-                 "them.";
+    table.note =
+        "Over all passes. The loss of mean stress is the largest of a pass, at constant volume, a gain negative; the "
+        "strain is under the stresses held before, contraction positive. The figures of this section are of one of "
+        "them.";
     table.header = {
         "stage",
         "gradient i",

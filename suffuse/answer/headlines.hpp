@@ -20,10 +20,11 @@ struct Headline {
     std::string spread = {};  ///< "± 0.03", small behind the value
     std::string lead = {};    ///< "up to", small before it
     std::string caution = {}; ///< a warning that touches this number
+    int samples = 0;          ///< that it is the mean of, 1 of one alone; 0: no number of samples
 };
 
-/// Adds that there is no replicate where nothing else is known of the uncertainty.
-Headline with_certainty(Headline headline, std::size_t samples);
+/// Adds that there is no replicate where nothing else is known of the uncertainty, or that samples agree.
+Headline with_certainty(Headline headline, const study::Scatter& value);
 
 /// Of an erosion: mass carried out, permeability, loss of mean stress at constant volume; those that the run has.
 /// @param outcome over the seeds; of one sample where null
@@ -42,6 +43,18 @@ std::optional<Headline> findings_headline(const std::vector<study::Finding>& fin
 /// The fines contents of lowest void ratio, loose and densest, and those from which on fines carry: those that most
 /// seeds have.
 std::vector<Headline> fines_headlines(const std::vector<study::ContentThreshold>& thresholds);
+
+/// "in two passes", "in one to three passes".
+std::string passes_in_words(const study::ErosionSpan& span);
+
+/// "gradient 0.1, friction 30°": all that is swept.
+std::string point_in_words(const study::StudyOutcome& outcome, const study::OutcomePoint& point);
+
+/// "all 3 points", "2 of 3 points": those that a result over a sweep stands for.
+std::string points_in_words(const study::StudyOutcome& outcome, const study::SweepEffect& effect);
+
+/// "one sample", "three seeds", "one to three seeds": of each point.
+std::string seeds_in_words(const study::StudyOutcome& outcome);
 
 /// "10 %", "0.05", "30°": a value of a swept key as written in the case.
 std::string value_in_words(const study::SweepPoint& at, std::size_t key);

@@ -34,11 +34,13 @@ TEST(Headlines, OfSeveralSeedsAreMeansWithTheirDeviation) {
     study::OutcomePoint point;
     point.result[Result::ErodedMass] = study::scatter_of({0.10, 0.14});
     point.result[Result::PermeabilityChange] = study::scatter_of({3.0, 3.0});
+    point.result[Result::StressChange] = study::scatter_of({-0.2801, -0.2802});
     const std::vector<Headline> headlines = erosion_headlines(test::sample_erosion(), {}, &point);
     EXPECT_EQ(headlines[0].value, "12 %");
     EXPECT_EQ(headlines[0].spread, "± 3"); // 4/sqrt(2), with the digits of the mean
     EXPECT_EQ(headlines[1].value, "× 3.0");
-    EXPECT_NE(headlines[1].detail.find("the same in two samples"), std::string::npos) << headlines[1].detail;
+    EXPECT_EQ(headlines[1].detail, "0.53 mm/s to 1.9 mm/s in the first sample; the same in two samples");
+    EXPECT_EQ(headlines[2].detail, "the largest loss of a pass; the same to the digits shown in two samples");
 }
 
 TEST(Headlines, APermeabilityThatIsKnownToBeTooHighSaysSoAtTheNumber) {
@@ -81,6 +83,22 @@ TEST(Headlines, AChangeThatIsNoiseIsNone) {
     EXPECT_EQ(erosion_headlines(erosion, {}, nullptr)[2].value, "unchanged");
 }
 
+TEST(Headlines, AMeanStressThatRisesIsNoLoss) {
+    erosion::ErosionResult erosion = test::sample_erosion();
+    for (erosion::PassResult& pass : erosion.passes) {
+        pass.stress_constant_volume = (1 + 0.03 * pass.pass) * pass.stress_before;
+    }
+    const Headline stress = erosion_headlines(erosion, {}, nullptr)[2];
+    EXPECT_EQ(stress.value, "+3.0 %");
+    EXPECT_EQ(stress.detail, "after pass 1, the smallest gain; no replicate");
+}
+
+TEST(Headlines, APermeabilityWhoseFirstValueIsTooHighIsALowerBound) {
+    erosion::ErosionResult erosion = test::sample_erosion();
+    erosion.passes.front().probe.flow.raised_by_fines = 1.2;
+    EXPECT_EQ(erosion_headlines(erosion, {}, nullptr)[1].lead, "at least");
+}
+
 TEST(Headlines, LeaveOutWhatTheRunCannotDecide) {
     EXPECT_TRUE(erosion_headlines({}, {}, nullptr).empty());
     erosion::ErosionResult erosion;
@@ -112,6 +130,7 @@ TEST(Headlines, OfASweepGoFromTheLeastToTheMostWithTheirDeviations) {
     ASSERT_EQ(headlines.size(), 1U);
     EXPECT_EQ(headlines[0].value, "4.0 % to 20 %");
     EXPECT_EQ(headlines[0].detail, "at gradient 1 (± 1.4) and 3 (± 3)"); // 2/sqrt(2), 4/sqrt(2)
+    EXPECT_EQ(headlines[0].samples, 2);
 }
 
 TEST(Headlines, OfASweepWhoseEndsDifferNoMoreThanSeedsSayThatItIsTheSame) {

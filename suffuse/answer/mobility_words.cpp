@@ -51,6 +51,25 @@ std::string reached_text(const Scatter& gradient, bool at_most, const char* name
     return is_almost_none(gradient.mean) ? "i < 0.01" : name + gradient_text(gradient) + (at_most ? " or less" : "");
 }
 
+std::string moved_text(double share) {
+    const double percent = 100 * share;
+    return percent < 0.05 ? "less than 0.1 %" : short_number(percent, 2) + " %";
+}
+
+/// " in 2 of 3 samples" where others do not reach it.
+std::string met_by(const Scatter& gradient, const MobilityStory& story) {
+    return static_cast<std::size_t>(gradient.seeds) == story.of_sample.size()
+               ? ""
+               : fmt::format(" in {} of {} samples", gradient.seeds, story.of_sample.size());
+}
+
+/// Largest over the samples: "12 %", "up to 12 %".
+std::string sifting_text(const MobilityStory& story) {
+    const auto share = [](const erosion::MobilityResult* sample) { return sample->sifting_mass_share; };
+    return (story.of_sample.size() > 1 ? "up to " : "") +
+           moved_text(share(*std::ranges::max_element(story.of_sample, {}, share)));
+}
+
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51".
 std::string what_moves(const MobilityStory& story) {
     const bool heaves_first = story.heave.seeds > 0 && story.moves_1.mean >= story.heave.mean;
@@ -58,15 +77,15 @@ std::string what_moves(const MobilityStory& story) {
     if (!is_met(story.moves_1, story) || heaves_first) {
         return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end);
     }
-    return fmt::format("moves 1 % of the fines at {}, ", reached_text(story.moves_1, story.at_most_1, "i = ")) +
-           (is_met(story.moves_10, story)
-                ? fmt::format("a tenth at {}", reached_text(story.moves_10, story.at_most_10, ""))
-                : fmt::format("less than a tenth {}", end));
-}
-
-std::string moved_text(double share) {
-    const double percent = 100 * share;
-    return percent < 0.05 ? "less than 0.1 %" : short_number(percent, 2) + " %";
+    return fmt::format(
+               "moves 1 % of the fines at {}{}, ", reached_text(story.moves_1, story.at_most_1, "i = "),
+               met_by(story.moves_1, story)
+           ) +
+           (is_met(story.moves_10, story) ? fmt::format(
+                                                "a tenth at {}{}", reached_text(story.moves_10, story.at_most_10, ""),
+                                                met_by(story.moves_10, story)
+                                            )
+                                          : fmt::format("less than a tenth {}", end));
 }
 
 /// "; the soil heaves at 1.05".
@@ -166,8 +185,7 @@ Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, 
         is_almost_none(gradient.mean) ? "< 0.01" : (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
     if (gradient.seeds > 1) {
         return with_certainty(
-            {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)},
-            static_cast<std::size_t>(gradient.seeds)
+            {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)}, gradient
         );
     }
     const std::string spread = is_almost_none(gradient.mean) ? "" : "± " + fixed(within_step(story, gradient.mean), 2);
@@ -184,7 +202,7 @@ Headline safety_headline(const MobilityStory& story) {
             goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
         );
         if (const std::size_t samples = story.of_sample.size(); samples < 2) {
-            headline = with_certainty(std::move(headline), samples);
+            headline = with_certainty(std::move(headline), story.safety);
         } else {
             headline.detail += fmt::format("; the least of {} samples", count_in_words(samples));
         }
@@ -197,7 +215,7 @@ Headline safety_headline(const MobilityStory& story) {
         headline.value = fixed(story.safety.mean, 1);
         headline.spread = spread_text(story.safety, 1, 1);
         headline.detail = fmt::format("{} samples; specified {:.2f}", story.safety.seeds, specified);
-        headline = with_certainty(std::move(headline), static_cast<std::size_t>(story.safety.seeds));
+        headline = with_certainty(std::move(headline), story.safety);
     } else {
         const double half = within_step(story, story.moves_1.mean) / specified;
         headline.value = fixed(story.safety.mean, 1);
@@ -316,7 +334,7 @@ std::vector<std::string> remarks_on(const MobilityStory& story) {
         remarks.push_back(fmt::format(
             "{} of the fines' mass sift through the skeleton under their own weight, without flow: the soil segregates "
             "during placement.",
-            moved_text(story.one().sifting_mass_share)
+            as_sentence(sifting_text(story))
         ));
     }
     return remarks;
@@ -351,10 +369,11 @@ std::vector<std::string> answer_of_mobility(const std::vector<MobilityStory>& st
 std::vector<std::string> short_verdict(const MobilityStory& story) {
     std::vector<std::string> lines = {fmt::format("{} {}", subject_of(story), what_moves_in_short(story))};
     lines.front() += heave_text(story, fmt::format("{:.2f}", story.heave.mean)) + ".";
-    if (const double share = story.one().sifting_mass_share; share > much_sifting) {
+    const auto sifts_much = [](const erosion::MobilityResult* m) { return m->sifting_mass_share > much_sifting; };
+    if (std::ranges::any_of(story.of_sample, sifts_much)) {
         lines.push_back(fmt::format(
             "{} of the fines fall through the skeleton without any flow: for them no gradient is critical.",
-            moved_text(share)
+            as_sentence(sifting_text(story))
         ));
     }
     if (!story.specified_gradient) {
@@ -404,7 +423,7 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
     if (story.heave.seeds > 0) {
         Headline heave = {fixed(story.heave.mean, 2), "Gradient of heave, i_c", "by the weight of the soil (Terzaghi)"};
         heave.spread = spread_text(story.heave, 1, 2);
-        headlines.push_back(with_certainty(std::move(heave), static_cast<std::size_t>(story.heave.seeds)));
+        headlines.push_back(with_certainty(std::move(heave), story.heave));
     }
     return headlines;
 }

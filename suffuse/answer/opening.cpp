@@ -2,6 +2,7 @@
 
 #include "suffuse/answer/basis.hpp"
 #include "suffuse/answer/filter_words.hpp"
+#include "suffuse/answer/heave_words.hpp"
 #include "suffuse/answer/migration_words.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
@@ -22,7 +23,7 @@ namespace {
 using study::RunResults;
 using study::StudyOutcome;
 
-constexpr std::size_t most_cards = 6;
+constexpr std::size_t most_cards = 6, most_doubts = 3;
 
 void add(std::vector<Headline> headlines, std::vector<Headline>& to) {
     std::ranges::move(headlines, std::back_inserter(to));
@@ -89,6 +90,15 @@ std::string call_for_replicates(const casefile::Study& study) {
     return fmt::format("`--set study.{}.replicates=3`", study.name);
 }
 
+/// Of how many samples the numbers of the cards are.
+std::string what_numbers_are(const std::vector<Headline>& cards) {
+    const auto is_mean = [](const Headline& card) { return card.samples > 1; };
+    return std::ranges::none_of(cards, is_mean) ? "Each number is of one sample."
+           : std::ranges::any_of(cards, [](const Headline& card) { return card.samples == 1; })
+               ? "Numbers with ± are means and one standard deviation; those without a replicate are of one sample."
+               : "Numbers are means, ± one standard deviation.";
+}
+
 void describe_confidence(const RunResults& results, Opening& opening) {
     const StudyOutcome* const outcome = reported_outcome(results);
     if (outcome == nullptr) {
@@ -106,14 +116,14 @@ void describe_confidence(const RunResults& results, Opening& opening) {
         );
         return;
     }
-    const std::string many = as_sentence(count_in_words(seeds));
-    opening.confidence = is_sweep ? many + " seeds each" : many + " samples";
+    opening.confidence =
+        is_sweep ? as_sentence(seeds_in_words(*outcome)) + " each" : as_sentence(count_in_words(seeds)) + " samples";
     opening.about_confidence =
         is_sweep
             ? fmt::format(
                   "{} samples, {}. Lines: means. Bands and bars: one standard deviation.", outcome->samples(), grains
               )
-            : fmt::format("{} each. Numbers are means, ± one standard deviation.", as_sentence(grains));
+            : fmt::format("{} each. {}", as_sentence(grains), what_numbers_are(opening.cards));
 }
 
 /// Of the story; else, as nothing but the simulation estimates a level flow, of another flow through the same sample.
@@ -157,8 +167,8 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     Opening opening;
     const Question question = question_of(results);
     opening.verdict = verdict_of_run(results);
-    describe_confidence(results, opening);
     opening.cards = cards_of(results, findings);
+    describe_confidence(results, opening);
     const study::MobilityStory* const main = study::main_mobility(results.mobility);
     const bool has_one_answer = main != nullptr && question == Question::Weight;
     if (const auto* const story = has_one_answer ? main : nearest_surrogate(results.mobility)) {
@@ -173,6 +183,10 @@ Opening open_answer(const RunResults& results, const std::vector<study::Finding>
     }
     if (question == Question::Migration) {
         opening.doubts = migration_doubts(migration_stages(results.stages));
+    }
+    if (auto heave = doubt_of_heave(results)) {
+        opening.doubts.insert(opening.doubts.begin(), std::move(*heave));
+        opening.doubts.resize(std::min(opening.doubts.size(), most_doubts));
     }
     opening.pictures = pictures_for(question);
     opening.shows_grains =

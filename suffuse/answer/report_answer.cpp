@@ -3,15 +3,14 @@
 
 #include "suffuse/answer/answer_tests.hpp"
 #include "suffuse/answer/erosion_table.hpp"
+#include "suffuse/answer/pass_words.hpp"
 #include "suffuse/answer/strength_words.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/erosion/detachment.hpp"
-#include "suffuse/erosion/loop.hpp"
-#include "suffuse/facts/ending_words.hpp"
 #include "suffuse/figures/stress_probes.hpp"
 #include "suffuse/grains/grading.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/findings_reason.hpp"
-#include "suffuse/study/passes.hpp"
 #include "suffuse/study/probed_states.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -21,107 +20,11 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <span>
 
 namespace suffuse::answer {
 namespace {
 
 using nlohmann::json;
-
-/// "12.3 %", or that there is nothing to report.
-std::string percent_or_none(double percent) {
-    return is_noise(percent) ? "less than 0.01 %" : percent_beyond_noise(percent) + " %";
-}
-
-/// How many of the fines that the water would carry were carried out.
-std::string describe_removed(const erosion::PassResult& pass, bool is_forced) {
-    if (pass.detachable == 0) {
-        return fmt::format("Pass {}: no fine grain is detachable", pass.pass);
-    }
-    if (is_forced) {
-        return fmt::format(
-            "Pass {}: {} fines were taken out by force, {} of the initial mass", pass.pass, grouped(pass.removed),
-            percent_or_none(pass.eroded_mass_percent_of_initial)
-        );
-    }
-    if (pass.removed == 0) {
-        return fmt::format("Pass {}: none of {} detachable fines was carried out", pass.pass, grouped(pass.detachable));
-    }
-    return fmt::format(
-        "Pass {}: {} of {} detachable fines {} carried out, {} of the initial mass", pass.pass, grouped(pass.removed),
-        grouped(pass.detachable), pass.removed == 1 ? "was" : "were",
-        percent_or_none(pass.eroded_mass_percent_of_initial)
-    );
-}
-
-std::string describe_pass(const erosion::PassResult& pass, bool is_forced) {
-    if (pass.removed == 0) {
-        return describe_removed(pass, is_forced) + ".";
-    }
-    return fmt::format(
-        "{}; porosity {:.4f} to {:.4f}, permeability {} to {} m²; at constant volume the skeleton lost {} of its mean "
-        "stress, and resettling strained it by {}.",
-        describe_removed(pass, is_forced), pass.porosity_before, pass.porosity_after,
-        short_number(pass.permeability_before), short_number(pass.permeability_after),
-        percent_or_none(100 * erosion::stress_loss(pass).value_or(0)), percent_or_none(100 * pass.volumetric_strain)
-    );
-}
-
-/// All passes but the first, where there are too many for a sentence each.
-std::string describe_later_passes(const erosion::ErosionResult& erosion) {
-    const erosion::PassResult &second = erosion.passes[1], &last = erosion.passes.back();
-    std::int64_t removed = 0;
-    double percent = 0, strain = 0, largest_loss = 0;
-    for (const erosion::PassResult& pass : std::span(erosion.passes).subspan(1)) {
-        removed += pass.removed;
-        percent += pass.eroded_mass_percent_of_initial;
-        strain += pass.volumetric_strain;
-        largest_loss = std::max(largest_loss, erosion::stress_loss(pass).value_or(0));
-    }
-    return fmt::format(
-        "Passes 2 to {}: {} fines were carried out, {:.2f} % of the initial mass, {} of them in pass 2 and {} in pass "
-        "{}; porosity {:.4f}, permeability {} m² after the last; the skeleton lost {} of its mean stress at most, and "
-        "resettling strained it by {} in all.",
-        last.pass, grouped(removed), percent, grouped(second.removed), grouped(last.removed), last.pass,
-        last.porosity_after, short_number(last.permeability_after), percent_or_none(100 * largest_loss),
-        percent_or_none(100 * strain)
-    );
-}
-
-/// How often fines were held that travelled with the water; empty where none was on its way.
-std::string describe_transport(const erosion::ErosionResult& erosion) {
-    std::vector<std::string> rates;
-    for (const erosion::PassResult* pass : study::few_passes(erosion, 2)) {
-        const std::optional<double> held = erosion::filter_coefficient(pass->transport);
-        if (held && *held > 0) {
-            rates.push_back(fmt::format("{} times in pass {}", short_number(*held / 1e3, 2), pass->pass));
-        }
-    }
-    return rates.empty() ? "" : fmt::format("A mm of flow held a detached grain {}, the mean.", fmt::join(rates, ", "));
-}
-
-std::string answer_to_erosion(const erosion::ErosionResult& erosion) {
-    constexpr std::size_t most_reported = 4; // passes, a sentence each
-    if (erosion.passes.empty()) {
-        return "";
-    }
-    std::vector<std::string> sentences;
-    for (const erosion::PassResult& pass : erosion.passes) {
-        sentences.push_back(describe_pass(pass, erosion::is_forced(erosion)));
-        if (erosion.passes.size() > most_reported) {
-            sentences.push_back(describe_later_passes(erosion));
-            break;
-        }
-    }
-    if (std::string transport = describe_transport(erosion); !transport.empty()) {
-        sentences.push_back(std::move(transport));
-    }
-    const erosion::Ending& ending = erosion.passes.back().verdict;
-    if (ending && ending != erosion::Ending{erosion::NothingLeaves{}}) { // already reported
-        sentences.push_back(fmt::format("It ended there: {}.", facts::words_of(ending)));
-    }
-    return fmt::format("{}", fmt::join(sentences, " "));
-}
 
 /// By the specified rule.
 std::int64_t count_detachable(const erosion::ProbeResult& probe, const erosion::DetachSpec& rule) {
@@ -186,11 +89,12 @@ std::string answer_to_removal(const std::string& name, const std::vector<const j
     const study::Scatter share = study::scatter_of(mass), by = study::scatter_of(strain);
     const std::string many = samples == 1 ? "" : fmt::format(" ({} samples)", samples);
     return fmt::format(
-        "{}{}: {} fines taken out in {} {}, {} % of the mass; under the stresses held before the skeleton strained by "
-        "{} % in volume{}.",
-        name, many, range_of(grains), range_of(passes),
-        passes == std::vector<std::int64_t>(samples, 1) ? "pass" : "passes", study::with_scatter(share, 100),
-        is_noise(100 * by.mean) ? "less than 0.01" : study::with_scatter(by, 100),
+        "{}{}: {} taken out in {} {}, {} % of the mass; under the stresses held before the skeleton strained by {} % "
+        "in "
+        "volume{}.",
+        name, many, grains == std::vector<std::int64_t>(samples, 1) ? fines_text(1) : range_of(grains) + " fines",
+        range_of(passes), passes == std::vector<std::int64_t>(samples, 1) ? "pass" : "passes",
+        study::with_scatter(share, 100), is_noise(100 * by.mean) ? "less than 0.01" : study::with_scatter(by, 100),
         failed == 0    ? ""
         : samples == 1 ? ", and failed"
                        : fmt::format(", and failed in {} of them", failed)
@@ -225,16 +129,18 @@ std::vector<std::string> answers_to_removals(const std::vector<record::FinishedS
 std::string describe_question(const study::ErosionStory& story, bool has_strength) {
     const std::size_t passes = story.erosion.passes.size();
     const std::string& soil = story.eroded->variant->soil_name;
+    const study::ErosionSpan span = *study::span_of({&story.erosion});
+    const bool is_one = span.least_gradient == span.most_gradient;
     const std::string which =
-        erosion::is_forced(story.erosion)
+        span.is_by_force()
             ? fmt::format(
                   "how removing fines of the soil “{}” by force, in {} {}, changes", soil, passes,
                   passes == 1 ? "pass" : "passes"
               )
             : fmt::format(
-                  "which fines of the soil “{}” a gradient of i = {:g} detaches, and how {} {} of their removal {}",
-                  soil, story.erosion.passes.front().probe.gradient, passes, passes == 1 ? "pass" : "passes",
-                  passes == 1 ? "changes" : "change"
+                  "which fines of the soil “{}” {} i = {} {}, and how {} {} of their removal {}", soil,
+                  is_one ? "a gradient of" : "gradients of", span.gradients(), is_one ? "detaches" : "detach", passes,
+                  passes == 1 ? "pass" : "passes", passes == 1 ? "changes" : "change"
               );
     return fmt::format(
         "Question: {} stress, volume{} permeability{}.", which, has_strength ? "," : " and",
@@ -256,28 +162,6 @@ std::optional<std::string> describe_part(const study::ErosionStory& story) {
         "follows is of that part.",
         short_number(1e3 * finest), short_number(1e3 * coarsest), short_number(100 * (up_to - below)),
         short_number(100 * below), short_number(100 * (1 - up_to))
-    );
-}
-
-/// What it means where almost no grain that left carried load: another gradient would have taken the same.
-std::string describe_idle(const erosion::ErosionResult& erosion) {
-    constexpr double nearly_all = 0.98;
-    constexpr int least_carrying = 2; // contacts
-    std::int64_t removed = 0, idle = 0;
-    for (const erosion::PassResult& pass : erosion.passes) {
-        for (const auto& [contacts, grains] : pass.coordination_histogram) {
-            removed += grains;
-            idle += contacts < least_carrying ? grains : 0;
-        }
-    }
-    if (removed == 0 || static_cast<double>(idle) < nearly_all * static_cast<double>(removed)) {
-        return {};
-    }
-    return fmt::format(
-        "{}: without gravity any water moves what carries no load, so that this gradient is not a critical one, and a "
-        "soil that criteria of stability call stable loses such grains too.",
-        idle == removed ? "None of them carried load"
-                        : fmt::format("Only {} of the {} carried load", grouped(removed - idle), grouped(removed))
     );
 }
 
@@ -375,8 +259,9 @@ std::vector<std::string> answer_of_erosion(const study::RunResults& results) {
                 sentences.push_back(std::move(noise));
             }
         }
-        if (std::string idle = describe_idle(story.erosion);
-            !idle.empty() && !story.erosion.passes.front().probe.id.empty() && !erosion::is_forced(story.erosion)) {
+        if (std::string idle = describe_idle(story.erosion); !idle.empty() &&
+                                                             !story.erosion.passes.front().probe.id.empty() &&
+                                                             !study::span_of({&story.erosion})->has_forced) {
             sentences.push_back(std::move(idle));
         }
     }

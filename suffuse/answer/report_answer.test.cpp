@@ -1,6 +1,6 @@
 #include "suffuse/answer/report_answer.hpp"
 
-#include "suffuse/erosion/loop.hpp"
+#include "suffuse/answer/erosion_table.hpp"
 #include "suffuse/grains/grading.hpp"
 
 #include <fmt/ranges.h>
@@ -127,6 +127,36 @@ TEST(ReportAnswer, SaysThatGrainsWithoutLoadLeaveUnderAnyGradient) {
     EXPECT_EQ(reported().find("carried load"), std::string::npos) << "what leaves by force needs no water";
     EXPECT_NE(reported().find("Pass 1: 3 fines were taken out by force, 3.00 % of"), std::string::npos) << reported();
     EXPECT_NE(reported().find("Question: how removing fines of the soil"), std::string::npos) << reported();
+    pass.removed = 1;
+    EXPECT_NE(reported().find("Pass 1: 1 fine grain was taken out by force, "), std::string::npos) << reported();
+}
+
+TEST(ReportAnswer, NamesTheGradientOfEachPassWhereTheyDiffer) {
+    casefile::Study study;
+    casefile::Variant variant;
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    std::vector<record::FinishedStage> stages = {erosion_of(variant, variant.stages[1], 3)};
+    stages.front().study = &study;
+    auto& passes = stages.front().findings.erosion->passes;
+    passes.front().probe.id = {7}, passes.front().probe.gradient = 0.1;
+    passes.front().coordination_histogram = {{0, 3}};
+    passes.push_back(passes.front());
+    passes.back().pass = 2, passes.back().probe.gradient = 0.5;
+    const std::string text = fmt::format("{}", fmt::join(answer_of_erosion(results_of(stages)), " "));
+    EXPECT_NE(text.find("gradients of i = 0.1 to 0.5 detach, and how 2 passes"), std::string::npos) << text;
+    EXPECT_NE(text.find("Pass 2 at i = 0.5: 3 of 39 detachable"), std::string::npos) << text;
+    EXPECT_NE(text.find("so that these gradients are not critical"), std::string::npos) << text;
+    EXPECT_EQ(tabulate_erosions({stages.front(), stages.front()})->rows.front()[1], "0.1 to 0.5");
+}
+
+TEST(ReportAnswer, CallsANegativeLossOfStressAGain) {
+    casefile::Variant variant;
+    variant.stages = {{.name = "initial"}, {.name = "erosion", .parent = 0}};
+    std::vector<record::FinishedStage> stages = {erosion_of(variant, variant.stages[1], 3)};
+    erosion::PassResult& pass = stages.front().findings.erosion->passes.front();
+    pass.stress_before = diagonal({1e5, 1e5, 1e5}), pass.stress_constant_volume = 1.03 * pass.stress_before;
+    const std::string text = answer_of_erosion(results_of(stages)).front();
+    EXPECT_NE(text.find("at constant volume the skeleton gained 3.00 % of its mean stress"), std::string::npos) << text;
 }
 
 TEST(ReportAnswer, ReportsHowMuchOfACutSoilTheSampleRepresents) {
@@ -220,6 +250,8 @@ TEST(ReportAnswer, ReportsARemovalInWordsOverItsSeeds) {
             "orders, removed, order random (2 samples): 571 to 1,654 fines taken out in 2 passes, 15 % of the mass; "
             "under the stresses held before the skeleton strained by −2 ± 1.4 % in volume, and failed in 1 of them."}
     );
+    stages = {{&study, seeds.data(), &removal, numbers(1, 1e-6, false), {}}};
+    EXPECT_NE(answer_of_erosion(results_of(stages)).front().find(": 1 fine grain taken out"), std::string::npos);
     stages = {{&study, seeds.data(), &removal, numbers(571, 1e-6, false), {}}};
     EXPECT_EQ(
         answer_of_erosion(results_of(stages)),

@@ -115,9 +115,9 @@ constexpr std::array structure_header = {"e_g", "e_eq", "active fines b", "LL / 
 /// What fines make of the structure at the fines content of a point; cells of `structure_header`.
 std::vector<std::string> structure_of(const OutcomePoint& point, const study::FinesSweep& sweep) {
     const study::FinesStudy& fines = sweep.curves;
-    const auto row = static_cast<std::size_t>(
-        std::ranges::find(fines.fines_content, point.at.value.at(sweep.key)) - fines.fines_content.begin()
-    );
+    const auto is_same = [&](const study::SweepPoint& loose) { return loose.written == point.at.written; };
+    const auto row =
+        static_cast<std::size_t>(std::ranges::find_if(fines.loose.points, is_same) - fines.loose.points.begin());
     if (row >= fines.loose.points.size()) {
         return std::vector<std::string>(structure_header.size(), "–");
     }
@@ -150,6 +150,10 @@ tabulate_samples(const StudyOutcome& outcome, const flow::Fluid& fluid, const st
     table.section = "Samples";
     table.title = fmt::format("Samples of the study “{}”", outcome.study == nullptr ? "" : outcome.study->name);
     table.note = outcome.seeds() > 1 ? "Means of the samples, ± one standard deviation." : "One sample each.";
+    if (outcome.points.size() < outcome.all_points()) {
+        table.note +=
+            fmt::format(" {} of {} points have a finished stage.", outcome.points.size(), outcome.all_points());
+    }
     for (const std::string& key : outcome.keys) {
         table.header.push_back(study::key_in_words(key));
     }

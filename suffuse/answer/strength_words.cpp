@@ -57,8 +57,10 @@ std::string verdict_of(const study::StrengthChange& change) {
     if (weaker) {
         return *weaker ? "is weaker" : "is not weaker but stronger";
     }
-    return change.borne().change.seeds > 0 ? "shows no change of strength beyond the scatter of samples"
-                                           : "cannot be compared";
+    const int samples = change.borne().change.seeds;
+    return samples == 0   ? "cannot be compared"
+           : samples == 1 ? "shows no change of strength beyond what samples usually differ by"
+                          : "shows no change of strength beyond the scatter of samples";
 }
 
 std::string remarks_of(const study::StrengthChange& change, const char* between) {
@@ -290,7 +292,7 @@ std::optional<Headline> strength_headline(const std::vector<study::StrengthChang
     if (borne.change.seeds < 2) {
         headline.detail += fmt::format("; samples differ by some {} %", reported->holds_deviator() ? 50 : 10);
     }
-    return with_certainty(std::move(headline), static_cast<std::size_t>(borne.change.seeds));
+    return with_certainty(std::move(headline), borne.change);
 }
 
 std::optional<figures::PageTable> tabulate_strength(const std::vector<study::StrengthChange>& changes) {

@@ -5,6 +5,7 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/surrogate.hpp"
+#include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -52,7 +53,19 @@ std::string listed(const std::vector<std::string>& parts) {
 /// Of one stage, the size ratio rising.
 using ByRatio = std::vector<const MobilityStory*>;
 
-/// A stage of the reported study each, the reported one first; none where its soil is no surrogate.
+/// Values of the swept keys of a sample's study, without the size ratio.
+std::vector<std::string> other_values(const MobilityStory& story) {
+    std::vector<std::string> values = study::sweep_values(*story.first->study, *story.first->variant);
+    for (std::size_t k = values.size(); k-- > 0;) {
+        if (story.first->study->sweep[k].key.ends_with("size_ratio")) {
+            values.erase(values.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+    }
+    return values;
+}
+
+/// A stage of the reported study each, the reported one first, at its values of other keys; none where its soil is no
+/// surrogate.
 std::vector<ByRatio> stages_by_ratio(const std::vector<MobilityStory>& stories) {
     const MobilityStory* const main = study::main_mobility(stories);
     if (main == nullptr || main->surrogate() == nullptr) {
@@ -61,7 +74,8 @@ std::vector<ByRatio> stages_by_ratio(const std::vector<MobilityStory>& stories) 
     std::vector<ByRatio> stages = {{}};
     std::map<std::string, std::size_t> row_of = {{main->first->stage->name, 0}};
     for (const MobilityStory& story : stories) {
-        if (story.surrogate() == nullptr || story.first->study != main->first->study) {
+        if (story.surrogate() == nullptr || story.first->study != main->first->study ||
+            other_values(story) != other_values(*main)) {
             continue;
         }
         const auto [found, is_new] = row_of.emplace(story.first->stage->name, stages.size());
@@ -156,8 +170,8 @@ const MobilityStory* nearest_surrogate(const std::vector<MobilityStory>& stories
 
 std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stories) {
     const std::vector<ByRatio> stages = stages_by_ratio(stories);
-    if (stages.empty() || stages.front().size() < 2) {
-        return {};
+    if (stages.empty() || stages.front().size() < 2 || !other_values(*stages.front().front()).empty()) {
+        return {}; // a series at one value of another key does not stand for the others
     }
     const ByRatio& reported = stages.front();
     const MobilityStory& last = *reported.back();

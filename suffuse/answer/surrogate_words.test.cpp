@@ -69,6 +69,19 @@ TEST_F(Surrogates, OfSeveralRatiosTheVerdictShowsTheTrendAndCallsTheSoilsOwnAnEx
     );
 }
 
+TEST_F(Surrogates, OfTwoSweptKeysNoSeriesPoolsTheValuesOfTheOther) {
+    study_.sweep.push_back({"friction", {0.4, 0.5}});
+    for (const double friction : {0.4, 0.5}) {
+        for (const double ratio : {4.0, 10.0}) {
+            add(ratio, moved_at(friction, std::nullopt));
+            variants_.back().values["friction"] = friction;
+        }
+    }
+    const std::vector<MobilityStory> stories = study::gather_mobility(stages_);
+    EXPECT_TRUE(verdict_by_ratio(stories).empty());
+    EXPECT_EQ(nearest_surrogate(stories)->moves_1.mean, 0.4) << "of the reported friction";
+}
+
 TEST_F(Surrogates, WhatNoRatioReachesIsNotRepeated) {
     add(4, moved_at(0.41, std::nullopt)), add(10, moved_at(0.22, std::nullopt));
     EXPECT_EQ(verdict_by_ratio(study::gather_mobility(stages_))[1], "It moves less than a tenth up to i = 1.20.");

@@ -62,35 +62,36 @@ bool has_numbers(const StudyOutcome& outcome) {
 
 /// "From gradient 0.05 to 0.5 the mass carried out rises from 3 to 14 %."
 std::string describe_result(const StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
-    const OutcomePoint *first = nullptr, *last = nullptr, *least = nullptr, *most = nullptr;
-    for (const OutcomePoint& point : outcome.points) {
-        if (const Scatter* const value = point.find(which)) {
-            first = first == nullptr ? &point : first;
-            last = &point;
-            least = least == nullptr || value->mean < least->find(which)->mean ? &point : least;
-            most = most == nullptr || value->mean > most->find(which)->mean ? &point : most;
-        }
-    }
+    const study::SweepEffect effect = study::effect_of_sweep(outcome, which);
+    const auto& [difference, first, last, least, most, points, fewest_samples, most_samples] = effect;
     const auto text = [&](const OutcomePoint* point) { return result_text(which, point->find(which)->mean, fluid); };
-    const std::string key = study::key_in_words(outcome.keys.front());
-    if (!study::depends_on_sweep(outcome, which)) {
-        return fmt::format(
-            "{} makes no measurable difference to {}: {} to {}.",
-            outcome.keys.size() > 1 ? "What is swept" : as_sentence("the " + key), in_a_sentence(which), text(least),
-            text(most)
-        );
+    const std::string key = study::keys_in_words(outcome);
+    const std::string of = points == outcome.all_points() ? "" : " (" + points_in_words(outcome, effect) + ")";
+    const bool is_one_key = outcome.keys.size() == 1;
+    if (difference != study::Difference::Clear) {
+        const std::string what = is_one_key ? as_sentence("the " + key) : "What is swept";
+        return difference == study::Difference::WithinScatter
+                   ? fmt::format(
+                         "{} makes no measurable difference to {}: {} to {}{}.", what, in_a_sentence(which),
+                         text(least), text(most), of
+                     )
+                   : fmt::format(
+                         "{} changes {} little: {} to {}{}{}.", what, in_a_sentence(which), text(least), text(most), of,
+                         effect.has_scatter() ? "" : ", one sample each"
+                     );
     }
     const bool runs_through =
         has_numbers(outcome) && ((least == first && most == last) || (least == last && most == first));
     if (runs_through) {
         return fmt::format(
-            "From {} {} to {} {} {} from {} to {}.", key, value_in_words(first->at, 0), value_in_words(last->at, 0),
-            in_a_sentence(which), most == last ? "rises" : "falls", text(first), text(last)
+            "From {} {} to {} {} {} from {} to {}{}.", key, value_in_words(first->at, 0), value_in_words(last->at, 0),
+            in_a_sentence(which), most == last ? "rises" : "falls", text(first), text(last), of
         );
     }
     return fmt::format(
-        "{} is least at {} {} ({}) and most at {} ({}).", as_sentence(in_a_sentence(which)), key,
-        value_in_words(least->at, 0), text(least), value_in_words(most->at, 0), text(most)
+        "{} is least at {} ({}) and most at {} ({}){}.", as_sentence(in_a_sentence(which)),
+        point_in_words(outcome, *least), text(least),
+        is_one_key ? value_in_words(most->at, 0) : point_in_words(outcome, *most), text(most), of
     );
 }
 
@@ -111,36 +112,55 @@ std::vector<std::string> describe_sweep(const StudyOutcome& outcome, const flow:
     return lines;
 }
 
-std::string describe_eroded(const RunResults& results, const OutcomePoint* point) {
-    const erosion::ErosionResult& erosion = results.story.erosion;
-    double share = erosion::eroded_percent(erosion) / 100;
-    if (const Scatter* const all = point == nullptr ? nullptr : point->find(Result::ErodedMass)) {
-        share = all->mean;
-    }
-    const std::string turns =
-        fmt::format("in {} {}", count_in_words(erosion.passes.size()), erosion.passes.size() == 1 ? "pass" : "passes");
-    if (erosion::is_forced(erosion)) {
-        return fmt::format("Fines taken out by force are {} of the mass, {}.", percent_text(share), turns);
-    }
-    const double gradient = erosion.passes.front().probe.gradient;
-    return share > 0
-               ? fmt::format("Water at i = {:g} carries out {} of the mass, {}.", gradient, percent_text(share), turns)
-               : fmt::format("Water at i = {:g} carries out none of the fines.", gradient);
+/// Of the erosions of the point's samples, or of the one that the run tells of.
+study::ErosionSpan span_at(const RunResults& results, const OutcomePoint* point) {
+    return point != nullptr && point->erosion
+               ? *point->erosion
+               : study::span_of({&results.story.erosion}, results.what->fluid.conductance)
+                     .value_or(study::ErosionSpan{});
 }
 
-/// @param at_most "up to " of a change that is known to be too large
-std::string describe_permeability(double change, const char* at_most) {
+std::string describe_eroded(const RunResults& results, const OutcomePoint* point) {
+    const study::ErosionSpan span = span_at(results, point);
+    double share = erosion::eroded_percent(results.story.erosion) / 100;
+    const Result which = span.is_by_force() ? Result::RemovedMass : Result::ErodedMass;
+    if (const Scatter* const all = point == nullptr ? nullptr : point->find(which)) {
+        share = all->mean;
+    }
+    const std::string passes = passes_in_words(span), mass = percent_text(share);
+    if (span.is_by_force()) {
+        return fmt::format("Fines taken out by force are {} of the mass, {}.", mass, passes);
+    }
+    if (!(share > 0)) {
+        return fmt::format("Water at i = {} carries out none of the fines.", span.gradients());
+    }
+    return fmt::format(
+        "Water at i = {} {} {} of the mass, {}.", span.gradients(),
+        span.has_forced ? "and removal by force take out" : "carries out", mass, passes
+    );
+}
+
+/// What is known of a change of permeability whose ends are known to be too high.
+const char* bound_in_words(const study::ErosionSpan& span) {
+    return span.before_is_too_high && span.after_is_too_high ? "about "
+           : span.before_is_too_high                         ? "at least "
+           : span.after_is_too_high                          ? "at most "
+                                                             : "";
+}
+
+/// @param bound "at most " of a change that is known to be too large
+std::string describe_permeability(double change, const std::string& bound) {
     if (std::abs(change - 1) < erosion::least_permeability_change) {
         return "The permeability does not change.";
     }
     if (change < 1) {
-        return fmt::format("The permeability falls to {} of its initial value.", percent_text(change));
+        return fmt::format("The permeability falls to {}{} of its initial value.", bound, percent_text(change));
     }
-    return change < 1.1
-               ? fmt::format("The permeability rises by {}{}.", at_most, percent_text(change - 1))
-               : fmt::format(
-                     "The permeability rises {}{} times.", at_most, fixed(change, std::min(2, decimals_for(change, 2)))
-                 );
+    return change < 1.1 ? fmt::format("The permeability rises by {}{}.", bound, percent_text(change - 1))
+                        : fmt::format(
+                              "The permeability rises to {}{} times its initial value.", bound,
+                              fixed(change, std::min(2, decimals_for(change, 2)))
+                          );
 }
 
 std::optional<std::string> describe_permeability(const RunResults& results, const OutcomePoint* point) {
@@ -149,9 +169,7 @@ std::optional<std::string> describe_permeability(const RunResults& results, cons
     if (!found && all == nullptr) {
         return std::nullopt;
     }
-    return describe_permeability(
-        all != nullptr ? all->mean : found->change, found && found->is_too_high ? "up to " : ""
-    );
+    return describe_permeability(all != nullptr ? all->mean : found->change, bound_in_words(span_at(results, point)));
 }
 
 std::optional<std::string> describe_change_of_strength(const std::vector<study::StrengthChange>& changes) {
@@ -170,7 +188,9 @@ std::optional<std::string> describe_change_of_strength(const std::vector<study::
     const std::string what = reported->holds_deviator() ? "pore pressure that it bears" : "peak strength";
     const study::BeforeAfter& borne = reported->borne();
     if (!reported->is_weaker()) {
-        return fmt::format("The {} changes no more than samples differ.", what);
+        return fmt::format(
+            "The {} changes no more than samples {}differ.", what, borne.change.seeds > 1 ? "" : "usually "
+        );
     }
     return fmt::format(
         "The {} {} by {}, from {} to {} kPa.", what, *reported->is_weaker() ? "falls" : "rises",
@@ -206,7 +226,7 @@ std::vector<std::string> describe_migration(const RunResults& results) {
     return lines;
 }
 
-std::vector<std::string> describe_probe(const RunResults& results) {
+std::vector<std::string> describe_probe(const RunResults& results, std::size_t samples) {
     const erosion::ProbeResult* most = &results.story.probes.front();
     for (const erosion::ProbeResult& probe : results.story.probes) {
         most = probe.gradient > most->gradient ? &probe : most;
@@ -214,8 +234,9 @@ std::vector<std::string> describe_probe(const RunResults& results) {
     const auto count = std::ranges::count(erosion::verdicts(results.story.probed_by, *most), std::uint8_t{1});
     return {
         fmt::format(
-            "Water at i = {:g} detaches {} of {} fines.", most->gradient, count == 0 ? "none" : grouped(count),
-            grouped(std::ssize(most->id))
+            "Water at i = {:g} detaches {} of {} fines{}.", most->gradient, count == 0 ? "none" : grouped(count),
+            grouped(std::ssize(most->id)),
+            samples > 1 ? fmt::format(" in the first of {} samples", count_in_words(samples)) : ""
         ),
         "Grains have no weight here: this gradient is not a critical one."};
 }
@@ -339,7 +360,7 @@ std::vector<std::string> verdict_of_run(const RunResults& results) {
         lines = describe_migration(results);
         break;
     case Question::Probe:
-        lines = describe_probe(results);
+        lines = describe_probe(results, point == nullptr ? 1 : point->samples.size());
         break;
     case Question::Removal:
         lines = describe_removal(*point, results.strength);

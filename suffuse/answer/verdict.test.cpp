@@ -47,7 +47,7 @@ protected:
 
     /// A point of the study for each list of seeds, over the values of one key.
     void sweep(Result which, const std::vector<std::pair<std::string, std::vector<double>>>& points) {
-        study::StudyOutcome outcome{&study, {"stage.erosion.gradient"}, {}};
+        study::StudyOutcome outcome{.study = &study, .keys = {"stage.erosion.gradient"}};
         for (const auto& [written, of_seed] : points) {
             study::OutcomePoint point;
             char* end = nullptr;
@@ -80,12 +80,17 @@ TEST_F(Verdict, OfAnErosionSaysWhatLeftAndWhatThatDid) {
     results.story.erosion = test::sample_erosion();
     results.story.erosion.passes.front().probe.gradient = 0.05;
     EXPECT_EQ(
-        verdict(),
-        (std::vector<std::string>{
-            "Water at i = 0.05 carries out 15 % of the mass, in two passes.", "The permeability rises 3.5 times."})
+        verdict(), (std::vector<std::string>{
+                       "Water at i = 0.05 carries out 15 % of the mass, in two passes.",
+                       "The permeability rises to 3.5 times its initial value."})
     );
     results.story.erosion.passes.back().flow_after.raised_by_fines = 1.5;
-    EXPECT_EQ(verdict().at(1), "The permeability rises up to 3.5 times.") << "known to be too high";
+    EXPECT_EQ(verdict().at(1), "The permeability rises to at most 3.5 times its initial value.")
+        << "known to be too high";
+    results.story.erosion.passes.front().probe.flow.raised_by_fines = 1.5;
+    EXPECT_EQ(verdict().at(1), "The permeability rises to about 3.5 times its initial value.");
+    results.story.erosion.passes.back().flow_after.raised_by_fines.reset();
+    EXPECT_EQ(verdict().at(1), "The permeability rises to at least 3.5 times its initial value.");
     for (erosion::PassResult& pass : results.story.erosion.passes) {
         pass.eroded_mass_percent_of_initial = 0;
     }
@@ -103,7 +108,7 @@ TEST_F(Verdict, APermeabilityStaysWithinHalfAPercent) {
     EXPECT_EQ(reported(0.9949), "The permeability falls to 99 % of its initial value.");
     EXPECT_EQ(reported(1.0051), "The permeability rises by 0.5 %.");
     EXPECT_EQ(reported(1.0949), "The permeability rises by 9.5 %.");
-    EXPECT_EQ(reported(1.11), "The permeability rises 1.1 times.");
+    EXPECT_EQ(reported(1.11), "The permeability rises to 1.1 times its initial value.");
 }
 
 TEST_F(Verdict, OfARemovalKeepsTheVolumeThatChangesByLessThanHalfAPerMille) {
@@ -174,6 +179,103 @@ TEST_F(Verdict, OfASweepOverWordsNamesTheLowestAndTheHighest) {
     sweep(Result::ErodedMass, {{"random", {0.02}}, {"smallest", {0.2}}, {"largest", {0.1}}});
     EXPECT_EQ(
         verdict().front(), "The mass carried out is least at gradient random (2.0 %) and most at smallest (20 %)."
+    );
+}
+
+TEST_F(Verdict, OfASweepCountsThePointsThatHaveTheResult) {
+    sweep(Result::ErodedMass, {{"0.05", {0.10, 0.14}}, {"0.1", {0.11, 0.15}}, {"0.2", {0, 0}}});
+    results.outcomes.front().points.back().result.clear();
+    results.outcomes.front().specified = 4;
+    EXPECT_EQ(
+        verdict().front(),
+        "The gradient makes no measurable difference to the mass carried out: 12 % to 13 % (2 of 4 points)."
+    );
+    EXPECT_EQ(open_answer(results, {}).cards.front().detail, "the same within scatter at 2 of 4 points");
+}
+
+TEST_F(Verdict, OfASweepOfSingleSamplesSpeaksOfNoScatter) {
+    sweep(Result::ErodedMass, {{"0.05", {0.120}}, {"0.1", {0.124}}});
+    EXPECT_EQ(verdict().front(), "The gradient changes the mass carried out little: 12 % to 12 %, one sample each.");
+    EXPECT_EQ(open_answer(results, {}).cards.front().detail, "nearly the same at all 2 points; no replicate");
+}
+
+TEST_F(Verdict, OfASweepWhoseSmallDifferenceIsBeyondTheScatterDoesNotCallItScatter) {
+    sweep(Result::ErodedMass, {{"0.05", {0.1200, 0.1201}}, {"0.1", {0.124, 0.1241}}});
+    EXPECT_EQ(verdict().front(), "The gradient changes the mass carried out little: 12 % to 12 %.");
+}
+
+TEST_F(Verdict, OfASweepOverTwoKeysNamesBothValuesOfAPoint) {
+    sweep(Result::ErodedMass, {{"0.05", {0.02}}, {"0.05", {0.2}}, {"0.1", {0.1}}});
+    study::StudyOutcome& outcome = results.outcomes.front();
+    outcome.keys.emplace_back("friction");
+    int degrees = 10;
+    for (study::OutcomePoint& point : outcome.points) {
+        point.at.written.push_back(std::to_string(degrees += 10) + " deg");
+        point.at.value.push_back(degrees);
+    }
+    EXPECT_EQ(
+        verdict().front(), "The mass carried out is least at gradient 0.05, friction 20° (2.0 %) and most at gradient "
+                           "0.05, friction 30° (20 %)."
+    );
+    EXPECT_EQ(
+        open_answer(results, {}).cards.front().detail,
+        "at gradient 0.05, friction 20° and gradient 0.05, friction 30°; no replicate"
+    );
+}
+
+TEST_F(Verdict, OfAnErosionAtSeveralGradientsNamesTheirRange) {
+    results.story.erosion = test::sample_erosion();
+    results.story.erosion.passes.front().probe.gradient = 0.1;
+    results.story.erosion.passes.back().probe.gradient = 1;
+    EXPECT_EQ(verdict().front(), "Water at i = 0.1 to 1 carries out 15 % of the mass, in two passes.");
+    EXPECT_EQ(open_answer(results, {}).cards.front().detail, "in two passes at i = 0.1 to 1; no replicate");
+}
+
+TEST_F(Verdict, OfFinesTakenOutByForceDoesNotNameWater) {
+    results.story.erosion = test::sample_erosion();
+    for (erosion::LedgerRow& row : results.story.erosion.ledger) {
+        row.reason = row.pass == 1 ? erosion::Reason::Velocity : erosion::Reason::Forced;
+    }
+    EXPECT_EQ(verdict().front(), "Water at i = 0.05 and removal by force take out 15 % of the mass, in two passes.");
+    for (erosion::LedgerRow& row : results.story.erosion.ledger) {
+        row.reason = erosion::Reason::Forced;
+    }
+    EXPECT_EQ(verdict().front(), "Fines taken out by force are 15 % of the mass, in two passes.");
+    EXPECT_EQ(open_answer(results, {}).cards.front().label, "Mass taken out");
+}
+
+TEST_F(Verdict, OfAProbeNamesTheOneOfSeveralSamples) {
+    sweep(Result::VoidRatio, {{"0.05", {0.5, 0.6}}});
+    results.story.probes = {test::sample_probe(0.1, 10, 1, 3)};
+    EXPECT_EQ(verdict().front(), "Water at i = 0.1 detaches 10 of 10 fines in the first of two samples.");
+    EXPECT_NE(open_answer(results, {}).about_confidence.find("Numbers are means"), std::string::npos);
+    results.outcomes.front().points.front().result.clear();
+    EXPECT_NE(open_answer(results, {}).about_confidence.find("Each number is of one sample."), std::string::npos);
+}
+
+TEST_F(Verdict, DoubtsAGradientThatLiftsTheSoilAsAWhole) {
+    casefile::Variant variant;
+    variant.material.density = 2650;
+    what.fluid.density = 1000;
+    casefile::Stage stage{.name = "erosion", .spec = erosion::ErodeSpec{}};
+    results.stages = {{&study, &variant, &stage, {{"grains", 10}}, {}}};
+    erosion::PassResult pass;
+    pass.pass = 1, pass.porosity_before = 0.4, pass.probe.gradient = 0.98; // i_c = 1.65 * 0.6 = 0.99
+    const auto doubts = [&] {
+        results.stages.front().findings.erosion = erosion::ErosionResult{.passes = {pass}};
+        return open_answer(results, {}).doubts;
+    };
+    EXPECT_TRUE(doubts().empty());
+    pass.probe.gradient = 1;
+    ASSERT_EQ(doubts().size(), 1U);
+    EXPECT_NE(
+        doubts().front().find("With weight, upward flow at i = 1 would lift the soil as a whole"), std::string::npos
+    );
+    pass.mobility.emplace();
+    EXPECT_TRUE(doubts().empty()) << "this flow does not rise";
+    pass.mobility->heave_gradient = 0.95;
+    EXPECT_NE(
+        doubts().front().find("i = 1 is above the gradient that lifts the soil as a whole, 0.95"), std::string::npos
     );
 }
 

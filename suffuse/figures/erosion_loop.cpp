@@ -3,6 +3,7 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/facts/ending_words.hpp"
 #include "suffuse/figures/figures.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
@@ -50,8 +51,9 @@ Quantity quantity(const char* name, const std::vector<const PassResult*>& passes
     return quantity;
 }
 
-std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is_forced) {
-    const double gradient = passes.front()->probe.gradient;
+/// @param all of the erosion, of which some passes are drawn
+std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, const study::ErosionSpan& all) {
+    const bool is_forced = all.is_by_force();
     const auto count = [](auto n) { return grouped(static_cast<long long>(n)); };
     return {
         {"1  Equilibrium",
@@ -60,7 +62,7 @@ std::vector<Step> steps_of(const std::vector<const PassResult*>& passes, bool is
              "fine grains", passes, [&](const PassResult& p) { return fines_of(p) == 0 ? "–" : count(fines_of(p)); }
          )}},
         {"2  Pore flow",
-         fmt::format("hydraulic gradient i = {}", gradient),
+         is_forced ? "for the permeability alone" : "hydraulic gradient i = " + all.gradients(),
          {quantity(
              "fluid force / contact force [-]", passes,
              [](const PassResult& p) { return of_probe(p, short_number(p.probe.fluid_over_contact, 2)); }
@@ -226,8 +228,9 @@ std::optional<Figure> erosion_loop(const ErosionResult& erosion) {
     }
     const erosion::Ending& ending = erosion.passes.back().verdict;
     figure.caption += ending ? "; it stopped because: " + facts::words_of(ending) + "." : ".";
-    figure.table = table_of(steps_of(all, erosion::is_forced(erosion)), all);
-    figure.drawing = draw(steps_of(shown, erosion::is_forced(erosion)), shown);
+    const study::ErosionSpan span = *study::span_of({&erosion});
+    figure.table = table_of(steps_of(all, span), all);
+    figure.drawing = draw(steps_of(shown, span), shown);
     return figure;
 }
 

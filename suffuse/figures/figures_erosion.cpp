@@ -2,6 +2,7 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
 #include "suffuse/stats/coordination.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/passes.hpp"
 
 #include <fmt/format.h>
@@ -68,11 +69,11 @@ std::optional<Figure> eroded_mass(const ErosionResult& erosion) {
     figure.title = "Eroded mass of each pass";
     figure.claim = total > 0
                        ? fmt::format(
-                             "{} carried out {} % of the mass",
+                             "{} {} out {} % of the mass",
                              erosion.passes.size() == 1 ? "One pass" : fmt::format("{} passes", erosion.passes.size()),
-                             short_number(total, 2)
+                             study::span_of({&erosion})->has_forced ? "took" : "carried", short_number(total, 2)
                          )
-                       : "No grain was carried out";
+                       : "No grain left";
     figure.caption = fmt::format(
         "Of the mass before the pass: {}{}; {} % of the initial mass in all.", claim,
         study::part_of_passes(few, erosion.passes.size()), short_number(total)

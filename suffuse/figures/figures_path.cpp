@@ -268,6 +268,9 @@ std::string loss_claim(const ErosionResult& erosion) {
     if (worst == nullptr || is_noise(100 * *erosion::stress_loss(*worst))) {
         return {};
     }
+    if (*erosion::stress_loss(*worst) < 0) {
+        return "No pass costs mean stress at constant volume";
+    }
     return fmt::format(
         "Pass {} costs {} % of the mean stress at constant volume", worst->pass,
         short_number(100 * *erosion::stress_loss(*worst), 2)

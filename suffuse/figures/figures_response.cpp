@@ -38,23 +38,48 @@ std::vector<std::string> labels(
     return shown;
 }
 
+/// "rises by 0.6 %", "is 3.5 times its initial value".
+std::string change_in_words(double times) {
+    if (std::abs(times - 1) < erosion::least_permeability_change) {
+        return "does not change";
+    }
+    return times < 1     ? fmt::format("falls to {} % of its initial value", short_number(100 * times, 2))
+           : times < 1.1 ? fmt::format("rises by {} %", short_number(100 * (times - 1), 2))
+                         : fmt::format("is {} times its initial value", short_number(times, 2));
+}
+
+/// By which solver the states were measured: two do not compare as well as one does.
+std::string solvers_in_words(const std::vector<flow::Solver>& solvers) {
+    const auto resolved = std::ranges::count(solvers, flow::Solver::Resolved);
+    return resolved == 0                     ? "By the pore network."
+           : resolved == std::ssize(solvers) ? "By the flow between the grains themselves, on a grid."
+                                             : fmt::format(
+                                                   "{} of {} states are by the flow between the grains themselves, on "
+                                                   "a grid, the others by the pore network.",
+                                                   resolved, solvers.size()
+                                               );
+}
+
 } // namespace
 
 std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     std::vector<std::string> state;
     std::vector<double> eroded, permeability;
+    std::vector<flow::Solver> solvers;
     double mass = 0;
     for (const PassResult& pass : erosion.passes) {
         if (state.empty() && pass.permeability_before > 0) {
             state.emplace_back("before erosion");
             eroded.push_back(mass);
             permeability.push_back(pass.permeability_before);
+            solvers.push_back(pass.probe.flow.solver);
         }
         mass += pass.eroded_mass_percent_of_initial;
         if (pass.permeability_after > 0) {
             state.push_back("after " + study::pass_name(pass.pass));
             eroded.push_back(mass);
             permeability.push_back(pass.permeability_after);
+            solvers.push_back(pass.flow_after.solver);
         }
     }
     if (state.size() < 2) {
@@ -65,14 +90,11 @@ std::optional<Figure> permeability_by_pass(const ErosionResult& erosion) {
     figure.section = "Water";
     figure.title = "Permeability before and after erosion";
     const double times = permeability.back() / permeability.front();
-    figure.claim =
-        std::abs(times - 1) < erosion::least_permeability_change
-            ? "The pore network is as permeable as before"
-            : fmt::format("The pore network's permeability is {} times its initial value", short_number(times, 2));
+    figure.claim = "The permeability " + change_in_words(times);
     figure.caption = fmt::format(
-        "The loss of {} % of the mass changes the permeability along the flow from {} to {} m², {} times.",
-        short_number(eroded.back()), short_number(permeability.front()), short_number(permeability.back()),
-        short_number(times)
+        "{}: the permeability along the flow goes from {} to {} m². {}",
+        eroded.back() > 0 ? fmt::format("{} % of the mass left", short_number(eroded.back())) : "No grain left",
+        short_number(permeability.front()), short_number(permeability.back()), solvers_in_words(solvers)
     );
     const double highest = *std::max_element(permeability.begin(), permeability.end());
     const int decade = static_cast<int>(std::floor(std::log10(highest)));

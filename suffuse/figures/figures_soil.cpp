@@ -235,9 +235,10 @@ std::optional<Figure> eroded_grading(const Grading& sampled, const ErosionResult
         short_number(1e3 * grains::size_at(remains, 0.5), 2)
     );
     figure.caption = fmt::format(
-        "{} grains with {} % of the mass were carried out; D50 moves from {} to {} mm.",
-        grouped(std::ssize(erosion.ledger)), short_number(100 * eroded / erosion.initial_mass),
-        short_number(1e3 * grains::size_at(sampled, 0.5)), short_number(1e3 * grains::size_at(remains, 0.5))
+        "{} with {} % of the mass left; D50 moves from {} to {} mm.",
+        erosion.ledger.size() == 1 ? "1 grain" : grouped(std::ssize(erosion.ledger)) + " grains",
+        short_number(100 * eroded / erosion.initial_mass), short_number(1e3 * grains::size_at(sampled, 0.5)),
+        short_number(1e3 * grains::size_at(remains, 0.5))
     );
     figure.chart = grading_chart(curves, std::nullopt, axis);
     figure.table = std::move(curves).table();

@@ -3,6 +3,7 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/figures/figures.hpp"
 #include "suffuse/figures/six_digits.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/findings.hpp"
 #include "suffuse/study/passes.hpp"
 
@@ -293,13 +294,18 @@ std::optional<Figure> speed_by_gradient(const std::vector<ProbeResult>& probes) 
 std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     std::vector<Panel> panels;
     std::string counts;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     const study::SomePasses few = study::few_passes(erosion, most_panels);
+    for (const PassResult* pass : few) {
+        least = std::min(least, pass->probe.gradient), most = std::max(most, pass->probe.gradient);
+    }
     for (const PassResult* pass : few) {
         if (pass->probe.id.empty()) {
             continue;
         }
         const std::string name = study::pass_name(pass->pass);
-        panels.push_back({name, name + ": " + share_detached(pass->probe), &pass->probe});
+        const std::string at = least == most ? "" : fmt::format(", i = {:g}", pass->probe.gradient);
+        panels.push_back({name, name + at + ": " + share_detached(pass->probe), &pass->probe});
         const study::Detached detached = study::count_detached(pass->probe);
         counts += fmt::format("{}{} in pass {}", counts.empty() ? "" : ", ", grouped(detached.yes), pass->pass);
     }
@@ -308,7 +314,7 @@ std::optional<Figure> speed_by_pass(const ErosionResult& erosion) {
     }
     Figure figure = speed_figure(panels);
     figure.id = "fig10";
-    figure.title = fmt::format("Speed of the fines in each erosion pass, i = {}", panels.front().probe->gradient);
+    figure.title = "Speed of the fines in each erosion pass, i = " + study::range_in_words(least, most);
     figure.claim = detached_claim(panels, "in ");
     figure.caption = "Detachable fines by the velocity rule: " + counts +
                      study::part_of_passes(few, erosion.passes.size()) + "." + how_drawn;

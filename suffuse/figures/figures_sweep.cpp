@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace suffuse::figures {
 namespace {
@@ -170,22 +171,32 @@ json layers(bool is_words, bool has_lines, const std::string& value_title, const
     return list;
 }
 
-std::string how_to_read(const StudyOutcome& outcome, bool is_words) {
-    if (outcome.seeds() < 2) {
-        return "One sample per point: no band, because the scatter between samples was not measured.";
+std::string how_to_read(const StudyOutcome& outcome, const study::SweepEffect& effect, bool is_words) {
+    const std::string points =
+        effect.points == outcome.all_points()
+            ? ""
+            : fmt::format(" {} of {} points have a result.", effect.points, outcome.all_points());
+    if (!effect.has_scatter()) {
+        return "One sample per point: no band, because the scatter between samples was not measured." + points;
     }
     return fmt::format(
-        "{}: mean of {} samples. {}: one standard deviation to both sides. Dots: single samples.",
-        is_words ? "Ticks" : "Line", outcome.seeds(), is_words ? "Bars" : "Band"
+        "{}: mean of {} samples. {}: one standard deviation to both sides. Dots: single samples.{}",
+        is_words ? "Ticks" : "Line", study::range_in_words(effect.fewest_samples, effect.most_samples),
+        is_words ? "Bars" : "Band", points
     );
 }
 
 /// "Mass carried out: no measurable difference over the gradient": what the eye is to see.
 std::string claim(const StudyOutcome& outcome, Result which) {
-    const std::string key = study::key_in_words(outcome.keys.front());
+    const std::string key = study::keys_in_words(outcome);
     const std::string label = study::scale_of(which).label;
-    if (!study::depends_on_sweep(outcome, which)) {
+    switch (study::effect_of_sweep(outcome, which).difference) {
+    case study::Difference::WithinScatter:
         return fmt::format("{}: no measurable difference over the {}", label, key);
+    case study::Difference::Small:
+        return fmt::format("{}: nearly the same over the {}", label, key);
+    case study::Difference::Clear:
+        break;
     }
     return fmt::format("{} over the {}", label, key);
 }
@@ -227,7 +238,7 @@ std::optional<Figure> sweep_result(const StudyOutcome& outcome) {
     figure.id = "own-sweep";
     figure.section = "Samples";
     figure.title = claim(outcome, *main);
-    figure.caption = how_to_read(outcome, is_words);
+    figure.caption = how_to_read(outcome, study::effect_of_sweep(outcome, *main), is_words);
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"width", 560},
@@ -243,9 +254,15 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     }
     SweepColumns columns;
     json panels = json::array();
+    study::SweepEffect shown{.fewest_samples = std::numeric_limits<int>::max()}; // what all panels stand for
+    shown.points = outcome.all_points();
     for (int k = 0; k < study::results; ++k) {
         const auto which = static_cast<Result>(k);
         if (which != *main && outcome.has(which) && is_drawn(outcome, which)) {
+            const study::SweepEffect effect = study::effect_of_sweep(outcome, which);
+            shown.points = std::min(shown.points, effect.points);
+            shown.fewest_samples = std::min(shown.fewest_samples, effect.fewest_samples);
+            shown.most_samples = std::max(shown.most_samples, effect.most_samples);
             columns.add(outcome, which);
             panels.push_back(SweepColumns::title_of(study::scale_of(which)));
         }
@@ -258,8 +275,8 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     Figure figure;
     figure.id = "own-sweep-multiples";
     figure.section = "Samples";
-    figure.title = fmt::format("Other results over the {}", study::key_in_words(outcome.keys.front()));
-    figure.caption = how_to_read(outcome, is_words) + " Each panel has an axis of its own for its result.";
+    figure.title = fmt::format("Other results over the {}", study::keys_in_words(outcome));
+    figure.caption = how_to_read(outcome, shown, is_words) + " Each panel has an axis of its own for its result.";
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"facet", {{"field", "result"}, {"type", "nominal"}, {"title", nullptr}, {"sort", panels}}},

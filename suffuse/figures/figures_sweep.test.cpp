@@ -51,6 +51,23 @@ TEST(SweepFigure, OverWordsHasBarsInsteadOfALineBetweenThem) {
     EXPECT_NE(figure.caption.find("One sample per point"), std::string::npos);
 }
 
+TEST(SweepFigure, SaysOfHowManyPointsAndSamplesItIs) {
+    study::StudyOutcome outcome = swept({{"10 deg", {0.10, 0.14}}, {"20 deg", {0.11, 0.13, 0.15}}, {"30 deg", {0}}});
+    outcome.points.back().result.clear();
+    outcome.keys.emplace_back("gradient");
+    for (study::OutcomePoint& point : outcome.points) {
+        point.at.written.emplace_back("0.1");
+    }
+    const Figure figure = sweep_result(outcome).value();
+    EXPECT_EQ(figure.title, "Mass carried out: no measurable difference over the friction and gradient");
+    EXPECT_NE(figure.caption.find("mean of 2 to 3 samples."), std::string::npos) << figure.caption;
+    EXPECT_NE(figure.caption.find("2 of 3 points have a result."), std::string::npos) << figure.caption;
+    EXPECT_EQ(
+        sweep_result(swept({{"10 deg", {0.120}}, {"20 deg", {0.124}}}))->title,
+        "Mass carried out: nearly the same over the friction"
+    );
+}
+
 TEST(SweepFigure, IsNoneWithoutASweepOrAResult) {
     EXPECT_FALSE(sweep_result(swept({{"10 deg", {0.01}}})));
     study::StudyOutcome nothing = swept({{"10 deg", {0.01}}, {"20 deg", {0.02}}});

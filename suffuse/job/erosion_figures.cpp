@@ -7,6 +7,9 @@
 #include "suffuse/record/folder.hpp"
 #include "suffuse/record/known_state.hpp"
 #include "suffuse/stability/open_curve.hpp"
+#include "suffuse/study/trace_curves.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -109,6 +112,12 @@ draw_erosion(const casefile::Case& what, const std::filesystem::path& folder, co
         }
     } else {
         add(figures::speed_by_gradient(story.probes), figures);
+    }
+    for (figures::Figure& figure : figures) {
+        const record::FinishedStage* const drawn = figure.id == "fig09" ? story.probed : story.eroded;
+        if (drawn != nullptr && drawn->study->variants.size() > 1) {
+            figure.caption += fmt::format(" Of one sample: {}.", study::in_words_of_sample(*drawn));
+        }
     }
     return figures;
 }

@@ -336,10 +336,16 @@ std::vector<figures::Figure> draw_study(const study::RunResults& results, const 
             }
         }
         add(figures::loose_compression(loose), figures);
+        const std::size_t before = figures.size();
         add(figures::void_ratios(sweep->curves), figures);
         add(figures::active_fines(sweep->curves), figures);
         add(figures::contact_classes(sweep->curves), figures);
         add(figures::strong_contacts(sweep->curves), figures);
+        if (const std::string others = study::other_values(*sweep); !others.empty()) {
+            std::for_each(figures.begin() + static_cast<std::ptrdiff_t>(before), figures.end(), [&](auto& figure) {
+                figure.caption += fmt::format(" All at {}.", others);
+            });
+        }
     }
     add(figures::strength_before_and_after(results.strength, results.stages), figures);
     draw_tests(what, tests, shown, figures);

@@ -11,6 +11,7 @@
 #include "suffuse/plan/price_test.hpp"
 #include "suffuse/plan/weight_price.hpp"
 #include "suffuse/record/read_import.hpp"
+#include "suffuse/stokes/grid.hpp"
 #include "suffuse/triaxial/run_path.hpp"
 #include "suffuse/triaxial/stiffness.hpp"
 
@@ -51,16 +52,18 @@ constexpr std::int64_t most_drawn = 300'000;
 constexpr double flow_memory = 5000; // [B], a grain
 
 constexpr Range resolved_seconds{5e-6, 2e-5}; // a box, one direction
-constexpr double box_memory = 150;            // [B]
+constexpr double box_memory = 150;            // [B], one direction
+constexpr double kept_memory = 8;             // [B], a box, each further direction: the forces on its held faces
 
-/// Boxes of a grid with so many across the Sauter diameter.
+/// Boxes of a grid with so many across the Sauter diameter, over a cell as wide as it is high.
 double resolving_boxes(const PricedSample& sample, const grains::Material& material, double across) {
     double inverse_diameter = 0; // of Sauter's
     for (const packing::SizeClass& size : sample.classes) {
         inverse_diameter += size.volume / size.diameter;
     }
     const double solid = (sample.coarse.mass + sample.fines.mass) / material.density;
-    return solid / sample.solid_fraction * std::pow(across * inverse_diameter, 3);
+    const double spacings = std::cbrt(solid / sample.solid_fraction) * across * inverse_diameter;
+    return std::pow(static_cast<double>(stokes::boxes_along(spacings)), 3);
 }
 
 /// Makes of a sample of some grains of `soil` one of so many. Of two curves the coarse grains may be very few of those
@@ -165,7 +168,7 @@ public:
             .seconds = (spec.tensor ? 2.0 : 1.0) * one_flow(),
             .memory_a_grain = grain_memory + flow_memory,
             .basis = "no steps"};
-        add_resolving(price, spec.how, spec.tensor ? 3 : 1);
+        add_resolving(price, spec.how, 1, spec.tensor ? 3 : 1);
         return price;
     }
 
@@ -310,13 +313,15 @@ private:
     }
 
     /// Whether `auto` resolves is known when it has the network's answer: up to as many as that.
-    void add_resolving(StagePrice& price, const flow::SolverChoice& how, double solutions) const {
+    /// @param at_once directions that one solution has
+    void add_resolving(StagePrice& price, const flow::SolverChoice& how, double solutions, double at_once = 1) const {
         const bool may_be = how.solver == flow::Solver::Auto;
         if (flow::resolves(how) || may_be) {
             const auto across = static_cast<double>(how.resolve.value_or(flow::usual_boxes_across));
             const double boxes = resolving_boxes(sample_, variant_.material, across);
-            price.seconds += solutions * boxes * Range{may_be ? 0 : resolved_seconds.least, resolved_seconds.most};
-            price.memory_a_grain += boxes * box_memory / count(sample_);
+            price.seconds +=
+                solutions * at_once * boxes * Range{may_be ? 0 : resolved_seconds.least, resolved_seconds.most};
+            price.memory_a_grain += boxes * (box_memory + (at_once - 1) * kept_memory) / count(sample_);
             price.basis += fmt::format("; {}a grid of {:.2g} boxes", may_be ? "perhaps " : "", boxes);
         }
     }

@@ -2,6 +2,8 @@
 
 #include "suffuse/plan/price_stage.hpp"
 
+#include "suffuse/base/constants.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -74,6 +76,36 @@ TEST(StagePrice, OfFinesThatMigrateFollowsTheirLargestAndTheirSmallest) {
     const double equal = steps_a_second({5e-5, 5e-5});
     EXPECT_NEAR(steps_a_second({5e-5, 2e-4}), 2 * equal, 1e-9 * equal);
     EXPECT_NEAR(steps_a_second({1.25e-5, 5e-5}), 4 * equal, 1e-9 * equal);
+}
+
+/// Memory of a resolved flow beyond that of the network, in boxes of 150 bytes.
+double boxes_of_flow(int boxes_across, bool tensor) {
+    const auto memory = [&](flow::Solver solver) {
+        flow::FlowSpec spec;
+        spec.tensor = tensor;
+        spec.how.solver = solver;
+        if (solver == flow::Solver::Resolved) {
+            spec.how.resolve = boxes_across;
+        }
+        casefile::Stage stage;
+        stage.spec = spec;
+        grains::Grains grains;
+        for (int g = 0; g < 8; ++g) {
+            add_grain(grains, {}, 5e-5, 2650);
+        }
+        PricedSample sample = describe(grains);
+        sample.solid_fraction = pi / 6; // a cell of two diameters
+        casefile::Variant variant;
+        variant.material.density = 2650;
+        return price_stage({}, variant, stage, sample).memory_a_grain * 8;
+    };
+    return (memory(flow::Solver::Resolved) - memory(flow::Solver::Network)) / 150;
+}
+
+TEST(StagePrice, OfAResolvedFlowIsOfAGridThatItCanTransform) {
+    EXPECT_NEAR(boxes_of_flow(12, false), 24 * 24 * 24, 1e-6); // 24 = 2 2 2 3
+    EXPECT_NEAR(boxes_of_flow(11, false), 24 * 24 * 24, 1e-6) << "22 has the factor 11";
+    EXPECT_GT(boxes_of_flow(12, true), boxes_of_flow(12, false)) << "two directions are kept for the third";
 }
 
 } // namespace

@@ -19,15 +19,16 @@ bool is_smooth(std::size_t n) {
     return n == 1;
 }
 
-std::size_t even_smooth_from(std::size_t least) {
+} // namespace
+
+std::size_t boxes_along(double spacings) {
+    const auto least = static_cast<std::size_t>(std::ceil(spacings));
     std::size_t n = std::max<std::size_t>(least + least % 2, 4);
     while (!is_smooth(n)) {
         n += 2;
     }
     return n;
 }
-
-} // namespace
 
 bool is_right_angled(const Mat3& h) {
     for (int a = 0; a < 3; ++a) {
@@ -60,7 +61,7 @@ Grid grid_over(const Mat3& h, double spacing) {
         ));
     }
     for (int a = 0; a < 3; ++a) {
-        const auto boxes = even_smooth_from(static_cast<std::size_t>(std::ceil(h(a, a) / spacing)));
+        const auto boxes = boxes_along(h(a, a) / spacing);
         grid.boxes[static_cast<std::size_t>(a)] = boxes;
         grid.spacing[a] = h(a, a) / static_cast<double>(boxes);
     }

@@ -27,7 +27,10 @@ struct Grid {
 /// Whether the cell's edges lie along x, y, z.
 bool is_right_angled(const Mat3& h);
 
-/// The coarsest grid of spacing at most `spacing` [m] whose numbers of boxes are even products of 2, 3, 5 and 7.
+/// Along an axis of so many spacings: the least even product of 2, 3, 5 and 7 that is not below.
+std::size_t boxes_along(double spacings);
+
+/// The coarsest grid of spacing at most `spacing` [m] whose axes have such numbers of boxes.
 /// @throws GeometryError for a cell that is not right-angled along x, y, z, or one of more than 2^31 boxes.
 Grid grid_over(const Mat3& h, double spacing);
 

@@ -107,6 +107,7 @@ ErosionStory find_story(const std::vector<record::FinishedStage>& stages) {
     const record::FinishedStage* const probed = find_probed(stages, [&](const record::FinishedStage& stage) {
         return story.eroded == nullptr || stage.study == story.eroded->study;
     });
+    story.probed = probed;
     if (probed != nullptr) {
         story.probes = probed->findings.probes;
         const auto* spec = std::get_if<erosion::DetachStageSpec>(&probed->stage->spec);

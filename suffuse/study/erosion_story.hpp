@@ -22,6 +22,7 @@ struct ErosionStory {
     const record::FinishedStage* eroded = nullptr; ///< null where nothing was eroded
     Erosions chain;                                ///< it, and the stages whose passes follow its own
     std::vector<StagePass> made_in;                ///< each pass of `erosion`
+    const record::FinishedStage* probed = nullptr; ///< the stage of the probes; null where there are none
     std::vector<erosion::ProbeResult> probes;
     erosion::DetachSpec probed_by;  ///< the rule that their stage specifies
     erosion::ErosionResult erosion; ///< all passes of the chain

@@ -1,5 +1,9 @@
 #include "suffuse/study/fines_sweep.hpp"
 
+#include "suffuse/study/study_outcome.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace suffuse::study {
@@ -75,6 +79,21 @@ StageCurve sweep_points(const FinesSweep& sweep, const std::string& stage) {
         }
     }
     return curve;
+}
+
+std::string other_values(const FinesSweep& sweep) {
+    std::string words;
+    if (const StageCurve* const loose = sweep.traced.find(sweep.loose); loose != nullptr && !loose->points.empty()) {
+        for (std::size_t k = 0; k < sweep.traced.keys.size(); ++k) {
+            if (k != sweep.key) {
+                words += fmt::format(
+                    "{}{} {}", words.empty() ? "" : ", ", key_in_words(sweep.traced.keys[k]),
+                    loose->points.front().written[k]
+                );
+            }
+        }
+    }
+    return words;
 }
 
 StageCurve loose_points(const FinesSweep& sweep) {

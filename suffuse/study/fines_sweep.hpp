@@ -26,6 +26,9 @@ struct FinesSweep {
 /// study of the case
 std::optional<FinesSweep> find_fines_sweep(const casefile::Case& what, const std::vector<StudyCurves>& traced);
 
+/// "friction 30 deg": the first values of the other keys, at which its curves are; empty where none is swept.
+std::string other_values(const FinesSweep& sweep);
+
 /// The points of a stage over the fines content alone.
 StageCurve sweep_points(const FinesSweep& sweep, const std::string& stage);
 

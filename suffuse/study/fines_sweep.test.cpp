@@ -59,6 +59,18 @@ TEST(FinesSweep, ALooseStateMadeByTwoStagesIsOneCurve) {
     EXPECT_EQ(sweep->curves.dense.points.at(2).number.at("void_ratio").mean, 0.4);
 }
 
+TEST(FinesSweep, NamesTheValuesOfOtherKeysThatItsCurvesAreOf) {
+    TwoLooseStages made;
+    EXPECT_EQ(other_values(find_fines_sweep(made.what, made.traced).value()), "");
+    made.traced.front().keys = {"fines_content", "stage.light.friction"};
+    for (StageCurve& stage : made.traced.front().stages) {
+        for (SweepPoint& point : stage.points) {
+            point.written.emplace_back("30 deg"), point.value.push_back(0.5);
+        }
+    }
+    EXPECT_EQ(other_values(find_fines_sweep(made.what, made.traced).value()), "friction 30 deg");
+}
+
 TEST(FinesSweep, AStageOfAllFinesContentsIsALooseStateByItself) {
     TwoLooseStages made;
     made.what.studies[0].stages[0].only.clear();

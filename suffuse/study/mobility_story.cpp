@@ -9,17 +9,6 @@
 namespace suffuse::study {
 namespace {
 
-const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {
-    if (stage.findings.mobility) {
-        return &*stage.findings.mobility;
-    }
-    if (!stage.findings.erosion || stage.findings.erosion->passes.empty()) {
-        return nullptr;
-    }
-    const std::optional<erosion::MobilityResult>& first = stage.findings.erosion->passes.front().mobility;
-    return first ? &*first : nullptr;
-}
-
 const erosion::WeighedMotion& weighed_of(const casefile::Stage& stage) {
     if (const auto* const detach = std::get_if<erosion::DetachStageSpec>(&stage.spec)) {
         return detach->probe.weighed;
@@ -53,11 +42,13 @@ void compare_samples(MobilityStory& story) {
     story.skempton_brogan = over_samples(story, [](const MobilityResult& m) { return m.skempton_brogan_gradient; });
     story.fines_heave = over_samples(story, [](const MobilityResult& m) { return m.fines_heave_gradient; });
     story.alpha_fines = over_samples(story, [](const MobilityResult& m) { return m.alpha_fines; });
-    story.safety = over_samples(story, [](const MobilityResult& m) {
-        const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(m);
+    const auto safety_of = [&](const MobilityResult& m) {
+        return story.specified_gradient ? erosion::factor_of_safety(m) : std::nullopt;
+    };
+    story.safety = over_samples(story, [&](const MobilityResult& m) {
+        const std::optional<erosion::FactorOfSafety> safety = safety_of(m);
         return safety ? safety->factor : std::nullopt;
     });
-    story.specified_gradient = story.one().specified_gradient;
     if (story.specified_gradient) {
         story.moved_at_specified =
             over_samples(story, [](const MobilityResult& m) { return mobile_share_at(m, *m.specified_gradient); });
@@ -68,7 +59,7 @@ void compare_samples(MobilityStory& story) {
     double least = std::numeric_limits<double>::infinity();
     bool is_bound = false;
     for (const MobilityResult* mobility : story.of_sample) {
-        if (const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(*mobility)) {
+        if (const std::optional<erosion::FactorOfSafety> safety = safety_of(*mobility)) {
             least = std::min(least, safety->at_least);
             is_bound = is_bound || !safety->factor;
         }
@@ -86,6 +77,37 @@ const grains::Surrogate* MobilityStory::surrogate() const {
     return soil && soil->surrogate ? &*soil->surrogate : nullptr;
 }
 
+const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {
+    if (stage.findings.mobility) {
+        return &*stage.findings.mobility;
+    }
+    const erosion::MobilityResult* intact = nullptr;
+    if (stage.findings.erosion) {
+        for (const erosion::PassResult& pass : stage.findings.erosion->passes) {
+            if (!pass.mobility) {
+                break;
+            }
+            const bool is_higher =
+                intact == nullptr || pass.mobility->ramp.back().gradient > intact->ramp.back().gradient;
+            intact = is_higher ? &*pass.mobility : intact;
+            if (pass.removed > 0) {
+                break;
+            }
+        }
+    }
+    return intact;
+}
+
+std::optional<double> specified_gradient(const record::FinishedStage& stage) {
+    const erosion::MobilityResult* const mobility = mobility_of(stage);
+    const std::optional<double> specified = mobility == nullptr ? std::nullopt : mobility->specified_gradient;
+    const bool has_higher = specified && stage.findings.erosion && !stage.findings.mobility &&
+                            std::ranges::any_of(stage.findings.erosion->passes, [&](const erosion::PassResult& pass) {
+                                return pass.probe.gradient > *specified;
+                            });
+    return has_higher ? std::nullopt : specified;
+}
+
 std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages) {
     std::vector<MobilityStory> stories;
     for (const record::FinishedStage& stage : stages) {
@@ -99,6 +121,7 @@ std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedSta
             story = stories.insert(stories.end(), MobilityStory{});
             story->first = &stage;
             story->name = name;
+            story->specified_gradient = specified_gradient(stage);
             story->moved = weighed_of(*stage.stage).moved;
             story->hold_at_most = weighed_of(*stage.stage).hold_at_most;
         }

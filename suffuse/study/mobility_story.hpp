@@ -24,7 +24,7 @@ struct MobilityStory {
     Scatter safety;                           ///< factor of safety against the specified gradient [-]
     Scatter moved_at_specified;               ///< share of the fines' mass [-]
     bool moved_at_specified_at_least = false; ///< of one sample at least it is a lower bound
-    std::optional<double> specified_gradient; ///< the same for all
+    std::optional<double> specified_gradient; ///< of the first
     std::optional<double> safety_at_least;    ///< where a ramp ends before it moves 1 %: the least of all samples
     bool sifts = false;                       ///< in one of them at least
     double hold_at_most = 100;                ///< of a gradient under which motion does not end, in units of time [-]
@@ -36,7 +36,14 @@ struct MobilityStory {
     [[nodiscard]] const grains::Surrogate* surrogate() const;
 };
 
-/// In the order of the stages. An erosion gives its first pass: the soil as it was.
+/// Of the soil as it was: an erosion gives, of its passes up to the first from which fines left, the one of the highest
+/// ramp. Null where fines have no weight.
+const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage);
+
+/// That this soil has to bear: nothing where a later pass of an erosion has a higher one.
+std::optional<double> specified_gradient(const record::FinishedStage& stage);
+
+/// In the order of the stages.
 std::vector<MobilityStory> gather_mobility(const std::vector<record::FinishedStage>& stages);
 
 /// The one that the report shows first; null where fines have no weight.

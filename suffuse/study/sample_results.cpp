@@ -3,6 +3,7 @@
 #include "suffuse/casefile/stage_traits.hpp"
 #include "suffuse/erosion/mobility_result.hpp"
 #include "suffuse/study/erosion_story.hpp"
+#include "suffuse/study/mobility_story.hpp"
 #include "suffuse/study/strength_pairs.hpp"
 
 #include <algorithm>
@@ -15,32 +16,28 @@ using Stages = std::vector<record::FinishedStage>;
 using Results = std::map<Result, double>;
 
 void add_mobility(const record::FinishedStage& stage, Results& to) {
-    const erosion::MobilityResult* mobility = stage.findings.mobility ? &*stage.findings.mobility : nullptr;
-    if (const auto& erosion = stage.findings.erosion;
-        mobility == nullptr && erosion && !erosion->passes.empty() && erosion->passes.front().mobility) {
-        mobility = &*erosion->passes.front().mobility;
-    }
+    const erosion::MobilityResult* const mobility = mobility_of(stage);
     if (mobility == nullptr) {
         return;
     }
     if (mobility->moves_1) {
         to.emplace(Result::FirstMovement, *mobility->moves_1);
     }
-    if (const auto safety = erosion::factor_of_safety(*mobility); safety && safety->factor) {
+    const auto safety = specified_gradient(stage) ? erosion::factor_of_safety(*mobility) : std::nullopt;
+    if (safety && safety->factor) {
         to.emplace(Result::Safety, *safety->factor);
     }
 }
 
 void add_erosion(const Stages& stages, const casefile::Variant& sample, Results& to) {
-    const record::FinishedStage* const eroded =
-        find_eroded(stages, [&](const record::FinishedStage& stage) { return stage.variant == &sample; });
-    const erosion::ErosionResult erosion = passes_of(find_chain(stages, eroded));
-    if (erosion.passes.empty()) {
+    const erosion::ErosionResult erosion = passes_of(erosions_of_sample(stages, sample));
+    const std::optional<ErosionSpan> span = span_of({&erosion});
+    if (!span) {
         return;
     }
-    to.emplace(Result::ErodedMass, erosion::eroded_percent(erosion) / 100);
+    to.emplace(span->is_by_force() ? Result::RemovedMass : Result::ErodedMass, erosion::eroded_percent(erosion) / 100);
     if (const erosion::PassResult* const worst = erosion::pass_of_largest_loss(erosion)) {
-        to.emplace(Result::StressChange, -std::max(0.0, *erosion::stress_loss(*worst)));
+        to.emplace(Result::StressChange, -*erosion::stress_loss(*worst));
     }
     if (const auto change = erosion::permeability_change(erosion); change && !erosion.passes.back().failed) {
         to.emplace(Result::PermeabilityChange, *change);
@@ -70,7 +67,7 @@ void add_migrations(const Stages& stages, const casefile::Variant& sample, Resul
             lost += (1 - lost) * stage.numbers.at("eroded_share_of_solids").get<double>();
         }
     }
-    if (last != nullptr && !to.contains(Result::ErodedMass)) {
+    if (last != nullptr && erosions_of_sample(stages, sample).empty()) {
         to.emplace(Result::ErodedMass, lost);
         to.emplace(
             Result::PermeabilityChange, last->numbers.at("permeability_after").get<double>() /
@@ -122,21 +119,25 @@ void add_state(const record::FinishedStage& stage, bool& is_prepared, Results& t
 
 std::optional<PermeabilityAfter>
 permeability_after(const erosion::ErosionResult& erosion, flow::Conductance conductance) {
-    constexpr double open_packing = 0.55; // validation/permeability.md: Yade's law is too permeable below
     const std::optional<double> change = erosion::permeability_change(erosion);
     if (!change || erosion.passes.back().failed) { // of a skeleton that goes on collapsing
         return std::nullopt;
     }
     const erosion::PassResult& last = erosion.passes.back();
-    PermeabilityAfter found{erosion.passes.front().permeability_before, last.permeability_after, *change, {}, false};
-    const flow::FlowSource& source = last.flow_after;
-    const std::optional<double> before = erosion.passes.front().probe.flow.known_error.permeability;
-    const std::optional<double> after = source.known_error.permeability;
+    const erosion::PassResult& first = erosion.passes.front();
+    PermeabilityAfter found{.before = first.permeability_before, .after = last.permeability_after, .change = *change};
+    const std::optional<double> before = first.probe.flow.known_error.permeability;
+    const std::optional<double> after = last.flow_after.known_error.permeability;
     found.known_error = before && after ? std::optional(std::max(*before, *after)) : std::nullopt;
-    const bool is_open = conductance == flow::Conductance::Yade && 1 - last.porosity_after < open_packing;
-    const bool is_raised = source.raised_by_fines.value_or(0) > flow::most_raised && !source.is_limited;
-    found.is_too_high = source.solver == flow::Solver::Network && (is_raised || is_open);
+    found.before_is_too_high = is_too_high(first.probe.flow, first.porosity_before, conductance);
+    found.after_is_too_high = is_too_high(last.flow_after, last.porosity_after, conductance);
     return found;
+}
+
+Erosions erosions_of_sample(const Stages& stages, const casefile::Variant& sample) {
+    return find_chain(stages, find_eroded(stages, [&](const record::FinishedStage& stage) {
+                          return stage.variant == &sample;
+                      }));
 }
 
 Results results_of_sample(const Stages& stages, const casefile::Variant& sample) {

@@ -8,12 +8,15 @@ namespace suffuse::study {
 std::map<Result, double>
 results_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);
 
+/// The first erosion of a sample, and those that follow it; empty where none eroded it.
+Erosions erosions_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);
+
 /// Permeability after the erosions of a sample over that before, with what it is known to be off by.
 struct PermeabilityAfter {
     double before = 0, after = 0;      ///< [m2]
     double change = 1;                 ///< after / before [-]
-    std::optional<double> known_error; ///< of the one after, at most; nothing where no bound is known [-]
-    bool is_too_high = false;          ///< known to be, for fines seem to raise it or the packing is too open for it
+    std::optional<double> known_error; ///< of each, at most; nothing where no bound is known [-]
+    bool before_is_too_high = false, after_is_too_high = false; ///< known to be, by is_too_high
 };
 
 /// Of the passes of one erosion; nothing without a permeability on both sides.

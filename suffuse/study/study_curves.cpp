@@ -28,6 +28,16 @@ Scatter scatter_of(std::vector<double> of_seed) {
     return scatter;
 }
 
+bool agree(const Scatter& scatter) {
+    double least = INFINITY, most = -INFINITY;
+    for (const double value : scatter.of_seed) {
+        if (std::isfinite(value)) {
+            least = std::min(least, value), most = std::max(most, value);
+        }
+    }
+    return scatter.seeds > 1 && least == most;
+}
+
 std::string with_scatter(const Scatter& value, double factor, int digits) {
     if (value.seeds == 0) {
         return "–";

@@ -20,6 +20,9 @@ struct Scatter {
 /// @param of_seed not a number where a seed has none
 Scatter scatter_of(std::vector<double> of_seed);
 
+/// Whether several seeds have it, and all the same to the last bit.
+bool agree(const Scatter& scatter);
+
 /// "12.3 ± 1.4": the mean, and the standard deviation of several seeds unless it is below a thousandth of the mean. The
 /// mean ends where the deviation does. "–" where no seed has the number.
 std::string with_scatter(const Scatter& value, double factor = 1, int digits = 3);

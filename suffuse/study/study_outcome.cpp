@@ -6,16 +6,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace suffuse::study {
 namespace {
 
 using Stages = std::vector<record::FinishedStage>;
 
-OutcomePoint summed_up(OutcomePoint point, const Stages& stages) {
+OutcomePoint summed_up(OutcomePoint point, const Stages& stages, flow::Conductance conductance) {
     std::vector<std::map<Result, double>> of_sample;
     for (const casefile::Variant* sample : point.samples) {
         of_sample.push_back(results_of_sample(stages, *sample));
+        if (const auto span = span_of(erosions_of_sample(stages, *sample), conductance)) {
+            point.erosion = point.erosion ? joined(*point.erosion, *span) : *span;
+        }
     }
     for (int k = 0; k < results; ++k) {
         std::vector<double> values;
@@ -86,6 +90,14 @@ std::size_t StudyOutcome::seeds() const {
     return most;
 }
 
+std::size_t StudyOutcome::fewest_seeds() const {
+    std::size_t fewest = seeds();
+    for (const OutcomePoint& point : points) {
+        fewest = std::min(fewest, point.samples.size());
+    }
+    return fewest;
+}
+
 bool StudyOutcome::has(Result which) const {
     const auto count =
         std::ranges::count_if(points, [&](const OutcomePoint& point) { return point.find(which) != nullptr; });
@@ -95,7 +107,7 @@ bool StudyOutcome::has(Result which) const {
 std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stages& stages) {
     std::vector<StudyOutcome> outcomes;
     for (const casefile::Study& study : what.studies) {
-        StudyOutcome outcome{&study, {}, {}};
+        StudyOutcome outcome{.study = &study};
         for (const casefile::Sweep& sweep : study.sweep) {
             outcome.keys.push_back(sweep.key);
         }
@@ -116,9 +128,14 @@ std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stag
             }
         }
         for (OutcomePoint& point : outcome.points) {
-            point = summed_up(std::move(point), stages);
+            point = summed_up(std::move(point), stages, what.fluid.conductance);
         }
         std::ranges::stable_sort(outcome.points, comes_before, &OutcomePoint::at);
+        std::set<std::vector<std::string>> specified;
+        for (const casefile::Variant& variant : study.variants) {
+            specified.insert(sweep_values(study, variant));
+        }
+        outcome.specified = specified.size();
         if (!outcome.points.empty()) {
             outcomes.push_back(std::move(outcome));
         }
@@ -133,17 +150,45 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes) {
     return main == outcomes.end() ? nullptr : &*main;
 }
 
-bool depends_on_sweep(const StudyOutcome& outcome, Result which) {
+SweepEffect effect_of_sweep(const StudyOutcome& outcome, Result which) {
     constexpr double notable = 0.05, deviations = 2;
-    double least = INFINITY, most = -INFINITY, largest_deviation = 0, size = 0;
+    SweepEffect effect;
+    double largest_deviation = 0, size = 0;
+    const auto mean = [&](const OutcomePoint* point) { return point->find(which)->mean; };
     for (const OutcomePoint& point : outcome.points) {
-        if (const Scatter* const value = point.find(which)) {
-            least = std::min(least, value->mean), most = std::max(most, value->mean);
-            largest_deviation = std::max(largest_deviation, value->standard_deviation);
-            size = std::max(size, std::abs(value->mean));
+        const Scatter* const value = point.find(which);
+        if (value == nullptr) {
+            continue;
         }
+        const bool is_first = effect.points++ == 0;
+        effect.first = is_first ? &point : effect.first;
+        effect.last = &point;
+        effect.least = is_first || value->mean < mean(effect.least) ? &point : effect.least;
+        effect.most = is_first || value->mean > mean(effect.most) ? &point : effect.most;
+        effect.fewest_samples = is_first ? value->seeds : std::min(effect.fewest_samples, value->seeds);
+        effect.most_samples = std::max(effect.most_samples, value->seeds);
+        largest_deviation = std::max(largest_deviation, value->standard_deviation);
+        size = std::max(size, std::abs(value->mean));
     }
-    return most - least > std::max({deviations * largest_deviation, notable * size, scale_of(which).least});
+    if (effect.points > 0) {
+        const double apart = mean(effect.most) - mean(effect.least), scatter = deviations * largest_deviation;
+        effect.difference = apart > std::max({scatter, notable * size, scale_of(which).least}) ? Difference::Clear
+                            : effect.has_scatter() && apart <= scatter ? Difference::WithinScatter
+                                                                       : Difference::Small;
+    }
+    return effect;
+}
+
+bool depends_on_sweep(const StudyOutcome& outcome, Result which) {
+    return effect_of_sweep(outcome, which).difference == Difference::Clear;
+}
+
+std::string keys_in_words(const StudyOutcome& outcome) {
+    std::string words;
+    for (const std::string& key : outcome.keys) {
+        words += (words.empty() ? "" : &key == &outcome.keys.back() ? " and " : ", ") + key_in_words(key);
+    }
+    return words;
 }
 
 std::optional<Result> main_result(const StudyOutcome& outcome) {

@@ -3,8 +3,10 @@
 // Of a sample that was eroded, probed or tested several times the first in the case's order counts.
 
 #include "suffuse/record/finished_stage.hpp"
+#include "suffuse/study/erosion_span.hpp"
 #include "suffuse/study/study_curves.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <string>
@@ -46,18 +48,25 @@ struct OutcomePoint {
     SweepPoint at;                                 ///< its values and seeds; without numbers
     std::vector<const casefile::Variant*> samples; ///< in the order of the seeds
     std::map<Result, Scatter> result;              ///< those that one sample at least has
+    std::optional<ErosionSpan> erosion;            ///< that the samples have in common; nothing where none was eroded
 
     [[nodiscard]] const Scatter* find(Result which) const;
 };
 
 struct StudyOutcome {
     const casefile::Study* study = nullptr;
-    std::vector<std::string> keys; ///< that are swept
-    std::vector<OutcomePoint> points;
+    std::vector<std::string> keys;    ///< that are swept
+    std::vector<OutcomePoint> points; ///< with a finished stage
+    std::size_t specified = 0;        ///< points that the case has
 
     [[nodiscard]] std::size_t samples() const;
-    /// Seeds of the point that has most of them.
+    /// Seeds of the point that has most of them, and of the one that has fewest.
     [[nodiscard]] std::size_t seeds() const;
+    [[nodiscard]] std::size_t fewest_seeds() const;
+
+    /// All points, with those that have no finished stage.
+    [[nodiscard]] std::size_t all_points() const { return std::max(specified, points.size()); }
+
     /// Whether more than half of the points have it.
     [[nodiscard]] bool has(Result which) const;
 };
@@ -71,8 +80,30 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes);
 /// The first of the results that the study has over its points, at best one that its sweep changes.
 std::optional<Result> main_result(const StudyOutcome& outcome);
 
-/// Whether the means differ by more than the seeds do: twice the largest deviation, a twentieth of the mean, and the
-/// least change that counts.
+/// How the means of a result differ over a sweep.
+enum class Difference {
+    Clear, ///< by more than twice the largest deviation, a twentieth of the mean and the least change that counts
+    WithinScatter, ///< by no more than twice the largest deviation
+    Small          ///< by less than counts; of single samples nobody knows the scatter
+};
+
+/// A result over a sweep, and the points and samples that it stands for: those that have it.
+struct SweepEffect {
+    Difference difference = Difference::Small;
+    const OutcomePoint *first = nullptr, *last = nullptr; ///< in the order of the points; null where none has it
+    const OutcomePoint *least = nullptr, *most = nullptr; ///< by their means
+    std::size_t points = 0;                               ///< that have it
+    int fewest_samples = 0, most_samples = 0;             ///< of these points
+
+    [[nodiscard]] bool has_scatter() const { return most_samples > 1; }
+};
+
+SweepEffect effect_of_sweep(const StudyOutcome& outcome, Result which);
+
+/// Whether that is a clear difference.
 bool depends_on_sweep(const StudyOutcome& outcome, Result which);
+
+/// "gradient": what is swept; of two keys "gradient and friction".
+std::string keys_in_words(const StudyOutcome& outcome);
 
 } // namespace suffuse::study

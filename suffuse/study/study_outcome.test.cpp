@@ -104,6 +104,40 @@ TEST(StudyOutcome, DependsOnTheSweepBeyondFivePercentAndTwoDeviations) {
     EXPECT_TRUE(depends({1e5 - apart, 1e5 + apart}, {1.21e5}));
 }
 
+TEST(StudyOutcome, CountsThePointsThatTheCaseHas) {
+    SweptStudy swept;
+    swept.stages.resize(4); // of the first value
+    const std::vector<StudyOutcome> outcomes = gather_outcomes(swept.what, swept.stages);
+    EXPECT_EQ(outcomes.front().points.size(), 1U);
+    EXPECT_EQ(outcomes.front().all_points(), 2U);
+    EXPECT_EQ(outcomes.front().points.front().erosion->most_passes, 2);
+}
+
+TEST(StudyOutcome, ASweepOfSingleSamplesIsNeverWithinScatter) {
+    const auto effect = [](const std::vector<double>& at_first, const std::vector<double>& at_last) {
+        StudyOutcome outcome;
+        for (const std::vector<double>& of_seed : {at_first, at_last, std::vector<double>{}}) {
+            OutcomePoint& point = outcome.points.emplace_back();
+            if (!of_seed.empty()) {
+                point.result[Result::Strength] = scatter_of(of_seed);
+            }
+        }
+        const SweepEffect found = effect_of_sweep(outcome, Result::Strength);
+        EXPECT_EQ(found.points, 2U);
+        return found.difference;
+    };
+    EXPECT_EQ(effect({1e5}, {1e5}), Difference::Small);
+    EXPECT_EQ(effect({1e5, 1.02e5}, {1e5, 1.03e5}), Difference::WithinScatter);
+    EXPECT_EQ(effect({1e5, 1.0001e5}, {1.03e5, 1.0301e5}), Difference::Small);
+    EXPECT_EQ(effect({1e5}, {2e5}), Difference::Clear);
+}
+
+TEST(StudyOutcome, SamplesAgreeWhereTheirNumbersHaveTheSameBits) {
+    EXPECT_TRUE(agree(scatter_of({0.1, 0.1, 0.1}))) << "though the mean of three is rounded";
+    EXPECT_FALSE(agree(scatter_of({0.1, 0.1 + 1e-15})));
+    EXPECT_FALSE(agree(scatter_of({0.1})));
+}
+
 TEST(StudyOutcome, EveryResultHasAScale) {
     for (int k = 0; k < results; ++k) {
         EXPECT_GT(scale_of(static_cast<Result>(k)).factor, 0);
@@ -117,18 +151,18 @@ TEST(PermeabilityAfter, IsKnownToBeTooHighWhereTheNetworkFails) {
     erosion::PassResult& pass = erosion.passes.emplace_back();
     pass.permeability_before = 1e-11, pass.permeability_after = 3e-11;
     pass.porosity_after = 0.5; // a solid fraction of 0.5, below the 0.55 from which Yade's law is too permeable
-    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
-    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->after_is_too_high);
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->after_is_too_high);
     pass.porosity_after = 0.449;
-    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->after_is_too_high);
     pass.porosity_after = 0.451;
-    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Yade)->after_is_too_high);
     pass.flow_after.raised_by_fines = 1.2;
-    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
+    EXPECT_TRUE(permeability_after(erosion, flow::Conductance::Bounded)->after_is_too_high);
     pass.flow_after.is_limited = true; // to what the coarse grains alone let through
-    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->is_too_high);
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Bounded)->after_is_too_high);
     pass.flow_after.solver = flow::Solver::Resolved;
-    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->is_too_high);
+    EXPECT_FALSE(permeability_after(erosion, flow::Conductance::Yade)->after_is_too_high);
 }
 
 } // namespace
