@@ -177,6 +177,9 @@ erosion_headlines(const ErosionResult& erosion, const flow::Fluid& fluid, const 
         mass, over_seeds(outcome, mass, erosion::eroded_percent(erosion) / 100),
         probed ? fmt::format("{} at i = {}", passes, span.gradients()) : passes, fluid
     ));
+    if (span.has_forced && !span.is_by_force()) {
+        headlines.back().label = "Mass that left";
+    }
     if (const auto permeability = study::permeability_after(erosion, fluid.conductance)) {
         headlines.push_back(permeability_headline(
             *permeability, span, over_seeds(outcome, Result::PermeabilityChange, permeability->change), fluid

@@ -237,6 +237,7 @@ TEST_F(Verdict, OfFinesTakenOutByForceDoesNotNameWater) {
         row.reason = row.pass == 1 ? erosion::Reason::Velocity : erosion::Reason::Forced;
     }
     EXPECT_EQ(verdict().front(), "Water at i = 0.05 and removal by force take out 15 % of the mass, in two passes.");
+    EXPECT_EQ(open_answer(results, {}).cards.front().label, "Mass that left");
     for (erosion::LedgerRow& row : results.story.erosion.ledger) {
         row.reason = erosion::Reason::Forced;
     }
