@@ -178,11 +178,6 @@ struct ErosionResult {
     double initial_mass = 0; ///< [kg]
 };
 
-/// Whether fines were taken out by their contacts, whatever the water does.
-inline bool is_forced(const ErosionResult& erosion) {
-    return !erosion.ledger.empty() && erosion.ledger.front().reason == Reason::Forced;
-}
-
 /// Share of the mean stress lost at constant volume [-]; nothing where there was no stress to lose.
 inline std::optional<double> stress_loss(const PassResult& pass) {
     const double before = dem::mean_stress(pass.stress_before);
