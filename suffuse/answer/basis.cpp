@@ -112,7 +112,7 @@ void doubt_model(const MobilityStory& story, std::vector<Doubt>& doubts) {
         doubts.push_back(
             {surrogate->ratio_of_soil > 1.001 * surrogate->size_ratio ? 10.0 : 3.0,
              "Two fractions stand for the soil (see “The soil and its surrogate”). In trials their first gradient was "
-             "15 % too low to 12 % too high."}
+             "16 % too low to 10 % too high."}
         );
         return;
     }

@@ -353,9 +353,9 @@ std::vector<Diagnostic> warnings_of_records(const casefile::CalibrationCase& wha
     Problems problems;
     std::set<std::string> texts;
     const auto warn = [&](const casefile::CalibrateTarget& target, const std::string& text, const char* help) {
-        const std::string message = fmt::format("{}: {}", target.file, text);
-        if (texts.insert(message).second) {
-            problems.warning("W623", target.place, message, help);
+        if (texts.insert(target.file + text).second) {
+            const std::string name = std::filesystem::path(target.file).filename().string();
+            problems.warning("W623", target.place, fmt::format("{}: {}", name, text), help);
         }
     };
     for (const casefile::CalibrateTarget& target : what.spec.targets) {
