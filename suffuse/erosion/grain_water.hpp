@@ -43,6 +43,9 @@ public:
     /// On standing grain `g` while it rests [N].
     [[nodiscard]] const Vec3& force(std::uint32_t g) const { return force_[g]; }
 
+    /// The same of every grain of the world; 0 for those that do not stand.
+    [[nodiscard]] std::span<const Vec3> forces() const { return force_; }
+
     /// At which the motion of grain `g` relative to that velocity is braked [1/s]. Of a grain that stands: its force at
     /// rest over the mean velocity of the water around it, at least Stokes'; of others Stokes' times `hindrance`.
     [[nodiscard]] double rate(std::uint32_t g) const { return rate_[g]; }

@@ -166,7 +166,8 @@ rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& sp
     migration.hindrance = water.hindrance();
     std::vector<std::uint8_t> held;
     if (migration.stack.is_stack()) {
-        migration.at_first = migration.now = layer_gradients(water.seepage(), migration.stack, spec.direction);
+        migration.at_first = migration.now =
+            layer_heads(water.seepage(), grains, water.forces(), migration.stack, spec.direction);
         held = held_in_stack(sample, migration.stack, spec.direction);
     }
     const double load = load_over_weight(sample, weight, water, spec, migration.at_first.base);

@@ -35,8 +35,8 @@ struct Migration {
     double solids_mass = 0;         ///< of the sample before [kg]
     Mat3 stress;                    ///< mean, of the sample before [Pa]
     Stack stack;                    ///< where its layers are; none: one soil
-    LayerGradients at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
-    LayerGradients now;      ///< of the last flow
+    LayerHeads at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept
+    LayerHeads now;      ///< of the last flow
     Feeding feeding;
     std::shared_ptr<const CoarsePores> pores; ///< of the skeleton as it is held; nothing: they are found anew
     double fed_mass = 0;                      ///< that has entered with the water [kg]

@@ -83,7 +83,7 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
       force_(before.world.grains.size()), rate_(before.world.grains.size()), network_(present_.size()) {
     look_up_network();
     if (stack_.is_stack()) {
-        layers_ = layer_gradients(water_.seepage(), stack_, spec.direction);
+        layers_ = layer_heads(water_.seepage(), before.world.grains, water_.forces(), stack_, spec.direction);
     }
     const double specific = around.fluid.density * suffuse::gravity * pull_; // [Pa/m]
     const double flow = specific * water_.permeability() / around.fluid.viscosity;
@@ -118,6 +118,7 @@ void Leg::go(double time, double most) {
         flowed_ += speed_ * (now - took_);
         layers_flowed_.base += layers_now_.base * (now - took_);
         layers_flowed_.filter += layers_now_.filter * (now - took_);
+        layers_flowed_.interface += layers_now_.interface * (now - took_);
         took_ = now;
         note_travel(time + took_);
     } while (took_ < most * nearly_whole && copy_.steps() < most_steps_ && !is_flow_old());
@@ -135,7 +136,7 @@ void Leg::enter(Migration& migration) {
     migration.result.holds.back().held_for += took_;
     const double speed = flowed_ / took_, permeability = water_.permeability() * speed;
     migration.result.holds.back().permeability = permeability;
-    migration.now = {layers_flowed_.base / took_, layers_flowed_.filter / took_};
+    migration.now = {layers_flowed_.base / took_, layers_flowed_.filter / took_, layers_flowed_.interface / took_};
     const double sample_gradient = pull_ / strength(spec_);
     migration.result.holds.back().sample_gradient = sample_gradient;
     note_whereabouts();
@@ -207,23 +208,26 @@ double Leg::speed_of_water() const {
     return std::clamp(push / resists, 0.0, fastest_);
 }
 
-/// Of the layers, over the gradient of the sample: heads of the network's pores grow with the speed of its water; what
+/// Of the layers, over those of the sample: heads of the network's pores grow with the speed of its water; what
 /// moves in a layer takes head from the water there by its drag, which the network does not count.
-LayerGradients Leg::find_layer_gradients() const {
+LayerHeads Leg::find_layer_heads() const {
     const Vec3 along = spec_.direction / norm(spec_.direction);
-    double in_base = 0, in_filter = 0; // [N]
+    double in_base = 0, in_filter = 0, at_interface = 0; // [N]
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::uint32_t g = copy_.fines()[p];
         const Vec3 counted = goes(p) ? Vec3{} : pull_ * water_.velocity(g);
         const double drag =
             copy_.world().grains.mass[g] * rate_[g] * dot(speed_ * (network_[p] - counted) - velocity(p), along); // [N]
-        const double from_face = moved_into(dot(copy_.position(p), along), stack_.face, stack_.length) - stack_.face;
+        const double at = dot(copy_.position(p), along);
+        const double from_face = moved_into(at, stack_.face, stack_.length) - stack_.face;
         (from_face < stack_.base_thickness() ? in_base : in_filter) += drag;
+        at_interface += drag * share_at_interface(at, 0.5 * diameter(p), stack_);
     }
     const double per_length = push_ / stack_.length; // [N/m]
     return {
         speed_ * layers_.base + in_base / (per_length * stack_.base_thickness()),
-        speed_ * layers_.filter + in_filter / (per_length * stack_.filter_thickness())};
+        speed_ * layers_.filter + in_filter / (per_length * stack_.filter_thickness()),
+        speed_ * layers_.interface + at_interface / push_};
 }
 
 /// Whether a grain goes with the water: it begins to where it is nearly as quick, and ceases where it comes to rest, at
@@ -237,7 +241,7 @@ bool Leg::goes_now(std::size_t p) const {
 /// For a true time [s].
 void Leg::burst(double time) {
     speed_ = speed_of_water();
-    layers_now_ = stack_.is_stack() ? find_layer_gradients() : LayerGradients{speed_, speed_};
+    layers_now_ = stack_.is_stack() ? find_layer_heads() : LayerHeads{speed_, speed_};
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::uint32_t g = copy_.fines()[p];
         force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);

@@ -50,7 +50,7 @@ private:
     [[nodiscard]] Vec3 water_at(std::size_t p) const { return speed_ * network_[p]; }
 
     [[nodiscard]] double speed_of_water() const;
-    [[nodiscard]] LayerGradients find_layer_gradients() const;
+    [[nodiscard]] LayerHeads find_layer_heads() const;
     [[nodiscard]] bool goes_now(std::size_t p) const;
     [[nodiscard]] bool is_flow_old() const;
     void burst(double time);
@@ -68,21 +68,21 @@ private:
     double to_true_;          ///< time of the copy to true time [-]
     double gradient_;         ///< prescribed [-]
     Stack stack_;
-    LayerGradients layers_;              ///< of this flow, over that of the sample, as the network has it
-    LayerGradients layers_now_;          ///< with the drag of the grains that move
-    LayerGradients layers_flowed_{0, 0}; ///< its integral over time [s]
-    double pull_;                        ///< the gradient of the cell, for a flow of standard gravity [-]
-    double push_ = 0;                    ///< of the gradient on water and grains of the cell [N]
-    double power_ = 0;                   ///< of the network's flow [W]
-    double discharge_ = 0;               ///< the same [m3/s]
-    double fastest_ = 1;                 ///< `speed_` of the flow among the coarse grains alone
-    double speed_ = 1;                   ///< of the water over that of the network, as moving grains leave it
-    double burst_time_ = 0, took_ = 0;   ///< true [s]
-    double flowed_ = 0;                  ///< integral of `speed_` over that time [s]
-    std::int64_t most_steps_;            ///< that are left of a budget
-    std::vector<Vec3> force_;            ///< of the water on grains at rest [N]
-    std::vector<double> rate_;           ///< [1/s]
-    std::vector<Vec3> network_;          ///< velocity of its water at each of the fines now [m/s]
+    LayerHeads layers_;                 ///< of this flow, over that of the sample, as the network has it
+    LayerHeads layers_now_;             ///< with the drag of the grains that move
+    LayerHeads layers_flowed_{0, 0, 0}; ///< its integral over time [s]
+    double pull_;                       ///< the gradient of the cell, for a flow of standard gravity [-]
+    double push_ = 0;                   ///< of the gradient on water and grains of the cell [N]
+    double power_ = 0;                  ///< of the network's flow [W]
+    double discharge_ = 0;              ///< the same [m3/s]
+    double fastest_ = 1;                ///< `speed_` of the flow among the coarse grains alone
+    double speed_ = 1;                  ///< of the water over that of the network, as moving grains leave it
+    double burst_time_ = 0, took_ = 0;  ///< true [s]
+    double flowed_ = 0;                 ///< integral of `speed_` over that time [s]
+    std::int64_t most_steps_;           ///< that are left of a budget
+    std::vector<Vec3> force_;           ///< of the water on grains at rest [N]
+    std::vector<double> rate_;          ///< [1/s]
+    std::vector<Vec3> network_;         ///< velocity of its water at each of the fines now [m/s]
 };
 
 } // namespace suffuse::erosion

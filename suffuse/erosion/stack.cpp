@@ -136,7 +136,16 @@ std::vector<std::uint8_t> held_in_stack(const dem::World& world, const Stack& st
     return held;
 }
 
-LayerGradients layer_gradients(const flow::Seepage& seepage, const Stack& stack, const Vec3& direction) {
+double share_at_interface(double at, double radius, const Stack& stack) {
+    const double lowest = stack.place(at) - radius;
+    const double from = stack.interface - 0.5 * stack.base_grain, to = stack.interface + stack.filter_grain;
+    return (cap_volume(radius, to - lowest) - cap_volume(radius, from - lowest)) / sphere_volume(radius);
+}
+
+LayerHeads layer_heads(
+    const flow::Seepage& seepage, const grains::Grains& grains, std::span<const Vec3> force, const Stack& stack,
+    const Vec3& direction
+) {
     const Vec3 along = direction / norm(direction);
     const pores::Pores& pores = seepage.network.pores;
     const double mean = norm(seepage.pressure_gradient); // of the sample [Pa/m]
@@ -150,7 +159,13 @@ LayerGradients layer_gradients(const flow::Seepage& seepage, const Stack& stack,
         base.add(at, volume, pressure);
         filter.add(at, volume, pressure);
     }
-    return {base.per_length() / mean, filter.per_length() / mean};
+    double there = 0, all = 0; // [N]
+    for (std::size_t g = 0; g < grains.size(); ++g) {
+        const double push = dot(force[g], along);
+        there += push * share_at_interface(dot(grains.position[g], along), grains.radius[g], stack);
+        all += push;
+    }
+    return {base.per_length() / mean, filter.per_length() / mean, there / all};
 }
 
 } // namespace suffuse::erosion

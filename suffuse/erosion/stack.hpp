@@ -6,6 +6,7 @@
 #include "suffuse/flow/seepage.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace suffuse::erosion {
@@ -43,13 +44,22 @@ Stack find_layers(const dem::World& world, const Vec3& direction);
 /// the water enters than the largest of them is wide, or beyond it: no other gets past them into the filter's end.
 std::vector<std::uint8_t> held_in_stack(const dem::World& world, const Stack& stack, const Vec3& direction);
 
-/// Hydraulic gradients over that of the whole sample [-].
-struct LayerGradients {
-    double base = 1, filter = 1;
+/// Over those of the whole sample [-].
+struct LayerHeads {
+    double base = 1, filter = 1; ///< their gradients
+    double interface = 0;        ///< the head that is lost there
 };
 
-/// From the heads of the pores within each layer, by least squares, each with the weight of its water. The two ends of
-/// a layer, half of a grain, are left out.
-LayerGradients layer_gradients(const flow::Seepage& seepage, const Stack& stack, const Vec3& direction);
+/// Of the volume of a sphere: its part at the interface, from half of the largest base grain before it to the largest
+/// filter grain behind it. @param at dot product of its position and the flow's direction
+double share_at_interface(double at, double radius, const Stack& stack);
+
+/// Gradients from the heads of the pores within each layer, by least squares, each with the weight of its water; the
+/// two ends of a layer, half of a grain, are left out. The head of the interface is that which pushes the grains there.
+/// @param force of the water on each of the grains [N]
+LayerHeads layer_heads(
+    const flow::Seepage& seepage, const grains::Grains& grains, std::span<const Vec3> force, const Stack& stack,
+    const Vec3& direction
+);
 
 } // namespace suffuse::erosion

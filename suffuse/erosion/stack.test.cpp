@@ -120,7 +120,7 @@ TEST(Stack, GivesEachLayerTheHeadOfItsOwnResistance) {
     const dem::World world = two_lattices(10, 12, 6, 0);
     const Stack stack = find_layers(world, {0, 0, 1});
     const flow::Seepage seepage = unit_flow(world);
-    const LayerGradients gradients = layer_gradients(seepage, stack, {0, 0, 1});
+    const LayerHeads gradients = layer_heads(seepage, world.grains, seepage.grain_force, stack, {0, 0, 1});
     const double base = permeability_alone(world, true, stack.base_thickness());
     const double filter = permeability_alone(world, false, stack.filter_thickness());
     // The same water goes through all: the gradient of a layer is that of the sample by the ratio of permeabilities.
@@ -131,6 +131,34 @@ TEST(Stack, GivesEachLayerTheHeadOfItsOwnResistance) {
     const double of_layers = share / base + (1 - share) / filter;
     EXPECT_NEAR(of_layers * seepage.permeability, 1, 0.05);
     EXPECT_NEAR(share * gradients.base + (1 - share) * gradients.filter, 1, 0.05);
+}
+
+TEST(Stack, HasTheHeadOfItsInterfaceByTheForcesThere) {
+    const dem::World world = two_lattices(10, 12, 6, 0);
+    const flow::Seepage seepage = unit_flow(world);
+    Stack stack = find_layers(world, {0, 0, 1});
+    const auto heads = [&] { return layer_heads(seepage, world.grains, seepage.grain_force, stack, {0, 0, 1}); };
+    const LayerHeads both = heads();
+    const double D = stack.filter_thickness() / 6;
+    const double of_both = 0.5 * stack.base_grain * both.base + stack.filter_grain * both.filter;
+    EXPECT_LT(both.interface, of_both / stack.length) << "the plane between the lattices is open";
+    EXPECT_GT(both.interface, 0.8 * of_both / stack.length);
+    // Deep in the filter each layer of the lattice has its thickness's share of the gradient there. All heads add up.
+    const double begin = stack.interface, base_thickness = stack.base_thickness();
+    stack.base_grain = 0;
+    stack.filter_grain = D;
+    double sum = 0;
+    for (int k = 0; k < 6; ++k) {
+        stack.interface = begin + k * D;
+        const double head = heads().interface;
+        sum += head;
+        if (k > 0 && k < 5) {
+            EXPECT_NEAR(head / (both.filter * D / stack.length), 1, 0.02) << "layer " << k;
+        }
+    }
+    stack.interface = stack.face;
+    stack.filter_grain = base_thickness;
+    EXPECT_NEAR(sum + heads().interface, 1, 1e-3);
 }
 
 MigrateSpec downward(double gradient) {
@@ -155,6 +183,11 @@ TEST(Stack, HoldsABaseThatIsAsCoarseAsItsHolesAndLosesOneThatFitsThroughThem) {
     spec.hold_at_most = 0.2;
     const Migration lost = migrate(fine, spec);
     EXPECT_GT(eroded_mass(lost.ledger), 0.5 * lost.result.fines_mass);
+    // Grains that stop in the filter's face clog it; where none is left, its interface has the filter's own head.
+    EXPECT_GT(held.now.interface, 1.2 * held.at_first.interface);
+    const flow::Seepage left = unit_flow(lost.world);
+    const double own = layer_heads(left, lost.world.grains, left.grain_force, lost.stack, {0, 0, 1}).interface;
+    EXPECT_NEAR(lost.now.interface / own, 1, 0.05);
 }
 
 TEST(Stack, GivesTheBaseItsGradientAndKeepsItsMass) {
@@ -214,6 +247,14 @@ TEST(Stack, HasTheGradientOfItsWeightInABedThatTheWaterCarries) {
         const double of_base = row.base_gradient * up.stack.base_thickness();
         EXPECT_NEAR((of_base + row.filter_gradient * up.stack.filter_thickness()) / head, 1, 0.05) << row.time;
     }
+    double at_interface = 0; // of the bed [kg]
+    for (std::size_t k = 0; k < up.ledger.size(); ++k) {
+        const bool moves = up.ledger.where[k] == Whereabouts::Moving;
+        const double share = share_at_interface(up.ledger.end[k].z, 0.5 * up.ledger.diameter[k], up.stack);
+        at_interface += moves ? up.ledger.mass[k] * share : 0;
+    }
+    const double all = up.result.rows.back().sample_gradient * up.stack.length; // [m]
+    EXPECT_NEAR(up.now.interface * all / (head * at_interface / up.result.fines_mass), 1, 0.05);
 }
 
 TEST(Stack, MigratesToTheSameBitsForAnyNumberOfThreadsAndFromAnyOfItsStates) {

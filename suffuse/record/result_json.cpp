@@ -211,7 +211,7 @@ void from_json(const nlohmann::json& json, RemovalResult& of) {
 }
 SUFFUSE_MEMBERS(WeightScale, factor, acceleration, time, drag)
 SUFFUSE_MEMBERS(Stack, length, face, interface, base_grain, filter_grain, exit)
-SUFFUSE_MEMBERS(LayerGradients, base, filter)
+SUFFUSE_MEMBERS(LayerHeads, base, filter, interface)
 SUFFUSE_MEMBERS(BaseProfile, first, step, filter, base)
 SUFFUSE_MEMBERS(
     MigrationRow, time, gradient, sample_gradient, base_gradient, filter_gradient, permeability, eroded_mass,

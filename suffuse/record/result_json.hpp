@@ -125,7 +125,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(
               {HoldEnd::StepLimit, name_of(HoldEnd::StepLimit)}}
 )
 SUFFUSE_AS_JSON(Stack)
-SUFFUSE_AS_JSON(LayerGradients)
+SUFFUSE_AS_JSON(LayerHeads)
 SUFFUSE_AS_JSON(BaseProfile)
 SUFFUSE_AS_JSON(StackCut)
 SUFFUSE_AS_JSON(BaseSizes)

@@ -24,10 +24,9 @@ double fixed_share(const erosion::Migration& migration) {
 /// Of layers.
 nlohmann::json stack_numbers(const erosion::Migration& migration) {
     const erosion::Stack& stack = migration.stack;
-    const erosion::LayerGradients &first = migration.at_first, &now = migration.now;
+    const erosion::LayerHeads &first = migration.at_first, &now = migration.now;
     const std::vector<erosion::MigrationRow>& rows = migration.result.rows;
     const double resting = migration.result.resting_permeability;
-    const double base = stack.base_thickness() / stack.length, filter = stack.filter_thickness() / stack.length;
     return {
         {"base_thickness", stack.base_thickness()},
         {"filter_thickness", stack.filter_thickness()},
@@ -35,8 +34,8 @@ nlohmann::json stack_numbers(const erosion::Migration& migration) {
         {"screen_mass_share", fixed_share(migration)},
         {"base_permeability", resting / first.base},
         {"filter_permeability", resting / first.filter},
-        {"interface_head_share", 1 - base * first.base - filter * first.filter},
-        {"interface_head_share_after", 1 - base * now.base - filter * now.filter},
+        {"interface_head_share", first.interface},
+        {"interface_head_share_after", now.interface},
         {"base_permeability_after", rows.back().permeability / now.base},
         {"filter_permeability_after", rows.back().permeability / now.filter},
         {"filter_d15", migration.result.filter.filter_d15},
