@@ -1,8 +1,7 @@
 #pragma once
-// What gradients do to fines that have weight, in sentences: the verdict that an engineer needs, and why two answers
-// may differ.
+// What gradients do to fines that have weight, in sentences: the verdict that an engineer needs.
 
-#include "suffuse/answer/headlines.hpp"
+#include "suffuse/record/finished_stage.hpp"
 #include "suffuse/study/mobility_story.hpp"
 
 #include <optional>
@@ -24,17 +23,8 @@ std::string verdict(const study::MobilityStory& story);
 /// The same in at most two sentences of at most 20 words, without deviations: what the page opens with.
 std::vector<std::string> short_verdict(const study::MobilityStory& story);
 
-/// Where Skempton and Brogan's rule and the motion of the fines disagree on the specified gradient: both, and why.
-std::optional<std::string> disagreement(const study::MobilityStory& story);
-
-/// Skempton and Brogan's gradient next to the one found, and why they differ where they do; sifting.
-std::vector<std::string> remarks_on(const study::MobilityStory& story);
-
 /// Verdicts and remarks of all.
 std::vector<std::string> answer_of_mobility(const std::vector<study::MobilityStory>& stories);
-
-/// Factor of safety, the gradients that move 1 and 10 %, heave; each with what is known of its uncertainty.
-std::vector<Headline> mobility_headlines(const study::MobilityStory& story);
 
 /// One sentence for cases whose fines have no weight; nothing if no stage finds what moves.
 std::optional<std::string> what_weight_would_change(const std::vector<record::FinishedStage>& stages);

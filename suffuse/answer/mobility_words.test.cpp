@@ -1,5 +1,8 @@
 #include "suffuse/answer/mobility_words.hpp"
 
+#include "suffuse/answer/mobility_headlines.hpp"
+#include "suffuse/answer/mobility_remarks.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -193,6 +196,18 @@ TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThr
     }
     EXPECT_NE(first(1 / 1.31).find("below the gradient that moves 1 %"), std::string::npos) << first(1 / 1.31);
     EXPECT_NE(first(1.31).find("above the gradient that moves 1 %"), std::string::npos) << first(1.31);
+}
+
+TEST(MobilityWords, NameTheSampleWhereANumberIsOfOneAlone) {
+    erosion::MobilityResult mobility = upward();
+    mobility.ramp.back().displaced_mass_share = 0.3;
+    const auto labels = [](const MobilityStory& story) {
+        return std::ranges::count_if(remarks_on(story), [](const std::string& remark) {
+            return remark.find(" in the first sample") != std::string::npos;
+        });
+    };
+    EXPECT_EQ(labels(story_of({mobility}).front()), 0);
+    EXPECT_EQ(labels(story_of({mobility, mobility}).front()), 3) << "measures, the share of the force, passage";
 }
 
 TEST(MobilityWords, MentionFinesThatSift) {

@@ -1,0 +1,110 @@
+#include "suffuse/answer/mobility_headlines.hpp"
+
+#include "suffuse/answer/mobility_text.hpp"
+#include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/words.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace suffuse::answer {
+namespace {
+
+using study::MobilityStory;
+using study::Scatter;
+
+/// Half the step of the ramp within which a gradient was found, rounded up: between two levels nobody looked.
+double within_step(const MobilityStory& story, double gradient) {
+    constexpr double digits = 100, rounding = 1e-9;
+    double before = 0;
+    for (const erosion::MobilityStep& step : story.one().ramp) {
+        if (step.gradient >= gradient) {
+            return std::ceil(digits * (step.gradient - before) / 2 - rounding) / digits;
+        }
+        before = step.gradient;
+    }
+    return 0;
+}
+
+Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, bool at_most, std::string label) {
+    const std::string value =
+        is_almost_none(gradient.mean) ? "< 0.01" : (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
+    if (gradient.seeds > 1) {
+        return with_certainty(
+            {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)}, gradient
+        );
+    }
+    const std::string spread = is_almost_none(gradient.mean) ? "" : "± " + fixed(within_step(story, gradient.mean), 2);
+    return {value, std::move(label), "within a step of the ramp; no replicate", spread};
+}
+
+Headline safety_headline(const MobilityStory& story) {
+    Headline headline{"", fmt::format("Factor of safety before 1 % move {}", distance_text(story)), ""};
+    const double specified = *story.specified_gradient;
+    if (!is_met(story.safety, story)) {
+        headline.value = "≥ " + bound_text(*story.safety_at_least);
+        headline.detail = fmt::format(
+            "{} before 1 % of the fines move; specified {:.2f}",
+            goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
+        );
+        if (const std::size_t samples = story.of_sample.size(); samples < 2) {
+            headline = with_certainty(std::move(headline), story.safety);
+        } else {
+            headline.detail += fmt::format("; the least of {} samples", count_in_words(samples));
+        }
+        if (story.safety.seeds > 0) {
+            headline.detail += fmt::format(
+                ", of which {} moves 1 % before", count_in_words(static_cast<std::size_t>(story.safety.seeds))
+            );
+        }
+    } else if (story.safety.seeds > 1) {
+        headline.value = fixed(story.safety.mean, 1);
+        headline.spread = spread_text(story.safety, 1, 1);
+        headline.detail = fmt::format("{} samples; specified {:.2f}", story.safety.seeds, specified);
+        headline = with_certainty(std::move(headline), story.safety);
+    } else {
+        const double half = within_step(story, story.moves_1.mean) / specified;
+        headline.value = fixed(story.safety.mean, 1);
+        headline.detail = fmt::format(
+            "{} to {} within a step of the ramp; no replicate", fixed(story.safety.mean - half, 1),
+            fixed(story.safety.mean + half, 1)
+        );
+    }
+    const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
+    if (moves_late || (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean)) { // what fails first decides
+        headline.caution = fmt::format(
+            "The whole soil heaves before, at {} times the specified gradient.", fixed(story.heave.mean / specified, 1)
+        );
+    }
+    if (do_disagree(story)) {
+        headline.caution =
+            fmt::format("Skempton and Brogan's rule gives {}; the reason is below.", fixed(*safety_by_rule(story), 1));
+    }
+    return headline;
+}
+
+} // namespace
+
+std::vector<Headline> mobility_headlines(const MobilityStory& story) {
+    std::vector<Headline> headlines;
+    if (story.specified_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
+        headlines.push_back(safety_headline(story));
+    }
+    if (is_met(story.moves_1, story)) {
+        headlines.push_back(
+            gradient_headline(story, story.moves_1, story.at_most_1, "Gradient that moves 1 % of the fines")
+        );
+    }
+    if (is_met(story.moves_10, story)) {
+        headlines.push_back(gradient_headline(story, story.moves_10, story.at_most_10, "Gradient that moves 10 %"));
+    }
+    if (story.heave.seeds > 0) {
+        Headline heave = {fixed(story.heave.mean, 2), "Gradient of heave, i_c", "by the weight of the soil (Terzaghi)"};
+        heave.spread = spread_text(story.heave, 1, 2);
+        headlines.push_back(with_certainty(std::move(heave), story.heave));
+    }
+    return headlines;
+}
+
+} // namespace suffuse::answer
