@@ -20,6 +20,7 @@ TEST_F(NewSurrogate, ASurrogateStandsForASoilThatIsTooWide) {
     EXPECT_EQ(document.at("size_ratios"), nlohmann::json({3, 4.5, 7.5}));
     const std::string text = read_all(folder / "wide-gravel/case.toml");
     expect_in("surrogate         = { finer_than = \"0.3 mm\" }", text);
+    expect_in("gradients = { up_to = 1.2, steps = 24 }", text); // those that the ramp would add
     expect_in("size_ratio = [3, 4.5, 7.5]", text);
     expect_in("direction = \"x\"", text);
     expect_in("direction = \"z\"", text);

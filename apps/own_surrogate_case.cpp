@@ -2,6 +2,7 @@
 
 #include "suffuse/base/units.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/erosion/refined_ramp.hpp"
 #include "suffuse/grains/surrogate.hpp"
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "apps/own_case_parts.hpp"
 #include "apps/own_surrogate.hpp"
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -57,17 +59,17 @@ constexpr std::string_view stage_form = R"(
 name      = "{name}"
 from      = "initial"
 do        = "detach"                  # which gradient moves the fines against their weight; nothing is removed
-gradients = {{ up_to = {last:g}, steps = 16 }} #~ borne one after the other
+gradients = {{ up_to = {last:g}, steps = {steps} }} #~ borne one after the other
 direction = {direction}
-{specified}
-)";
+{specified})";
 
 std::string stage_text(const FlowWay& way, const OwnConditions& conditions) {
     constexpr double usual_last = 1.2, beyond_specified = 1.5;
     const std::optional<double>& gradient = conditions.gradient;
+    const double last = std::max(usual_last, beyond_specified * gradient.value_or(0));
     return fmt::format(
-        stage_form, fmt::arg("name", stability::kind_of(way)),
-        fmt::arg("last", std::max(usual_last, beyond_specified * gradient.value_or(0))),
+        stage_form, fmt::arg("name", stability::kind_of(way)), fmt::arg("last", last),
+        fmt::arg("steps", static_cast<int>(std::ceil(last / erosion::widest_step * (1 - 1e-9)))),
         fmt::arg(
             "specified",
             gradient
