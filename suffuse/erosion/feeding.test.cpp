@@ -141,6 +141,7 @@ TEST(Feeding, GoesOnWithWaterAloneUntilThatBringsFines) {
     EXPECT_FALSE(hold.ended);
     bool was_empty = false;
     for (const MigrationRow& row : migration.result.rows) {
+        EXPECT_NEAR(row.base_gradient / row.gradient, 1, 1e-12) << "of water alone, too";
         was_empty = was_empty || row.eroded_mass >= (migration.result.fines_mass + row.fed_mass) * (1 - 1e-12);
     }
     EXPECT_TRUE(was_empty);

@@ -181,6 +181,8 @@ TEST(Migration, SpendsTheEnergyOfItsRows) {
         energy += specific * discharge * 2e-3 * (row.time - before);
         before = row.time;
         EXPECT_NEAR(row.energy / energy, 1, 1e-9);
+        EXPECT_NEAR(row.base_gradient / row.gradient, 1, 1e-12) << "one soil has one gradient";
+        EXPECT_NEAR(row.filter_gradient / row.gradient, 1, 1e-12);
     }
 }
 

@@ -106,19 +106,26 @@ Leg::Leg(const Migration& before, const MigrateSpec& spec, const Surroundings& a
     burst_time_ = burst_travel * d / (flow / dem::porosity(before.world) + sinking);
 }
 
+/// Adds what flows in a time [s].
+void Leg::flow_for(double time) {
+    flowed_ += speed_ * time;
+    layers_flowed_.base += layers_now_.base * time;
+    layers_flowed_.filter += layers_now_.filter * time;
+    layers_flowed_.interface += layers_now_.interface * time;
+}
+
 void Leg::go(double time, double most) {
     if (present_.empty()) { // water alone, which may bring fines
-        took_ = flowed_ = most;
+        layers_now_ = layers_;
+        flow_for(most);
+        took_ = most;
         return;
     }
     const double begin = copy_.world().clock.time;
     do {
         burst(std::min(burst_time_, most - took_));
         const double now = (copy_.world().clock.time - begin) * to_true_;
-        flowed_ += speed_ * (now - took_);
-        layers_flowed_.base += layers_now_.base * (now - took_);
-        layers_flowed_.filter += layers_now_.filter * (now - took_);
-        layers_flowed_.interface += layers_now_.interface * (now - took_);
+        flow_for(now - took_);
         took_ = now;
         note_travel(time + took_);
     } while (took_ < most * nearly_whole && copy_.steps() < most_steps_ && !is_flow_old());
@@ -241,7 +248,7 @@ bool Leg::goes_now(std::size_t p) const {
 /// For a true time [s].
 void Leg::burst(double time) {
     speed_ = speed_of_water();
-    layers_now_ = stack_.is_stack() ? find_layer_heads() : LayerHeads{speed_, speed_};
+    layers_now_ = stack_.is_stack() ? find_layer_heads() : LayerHeads{};
     for (std::size_t p = 0; p < present_.size(); ++p) {
         const std::uint32_t g = copy_.fines()[p];
         force_[g] = copy_.world().grains.mass[g] * rate_[g] * water_at(p);

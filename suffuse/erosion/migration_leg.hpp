@@ -54,6 +54,7 @@ private:
     [[nodiscard]] bool goes_now(std::size_t p) const;
     [[nodiscard]] bool is_flow_old() const;
     void burst(double time);
+    void flow_for(double time);
     void note_travel(double time);
     void note_whereabouts();
 
