@@ -34,7 +34,7 @@ replicates = 1                        #~ one sample does not show how much sampl
 {material}{gravity}
 [soil.{name}]
 psd               = "data/{name}.csv" # d [mm], passing [%]: the soil itself
-surrogate         = {{ finer_than = "{limit:.4g} mm" }} #~ {content:.3g} % of the mass; {reason}
+surrogate         = {{ finer_than = "{limit:.6g} mm" }} #~ {content:.3g} % of the mass; {reason}
 grading_tolerance = "4 %"             # few coarse grains follow the curve less closely
 
 [study.surrogate]

@@ -5,6 +5,7 @@
 #include "suffuse/base/words.hpp"
 #include "suffuse/grains/grading.hpp"
 #include "suffuse/grains/surrogate.hpp"
+#include "suffuse/stability/measured_part.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
 #include <fmt/format.h>
@@ -155,9 +156,13 @@ std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ra
             short_number(largest_ratio)
         ));
     }
-    if (const double finer = grains::passing(*soil.measured, silt); finer > 0) {
+    if (const stability::Bounds finer = stability::share_bounds(*soil.measured, silt); finer.most > 0) {
         sentences.push_back(fmt::format(
-            "Cohesion: {} of the mass is finer than 0.063 mm, and the fines do not stick.", percent_text(finer)
+            "Cohesion: {} of the mass {} finer than 0.063 mm{}, and the fines do not stick.",
+            (finer.is_known() ? "" : "up to ") + percent_text(finer.most), finer.is_known() ? "is" : "may be",
+            finer.is_known()
+                ? ""
+                : fmt::format(" (the curve ends at {} mm)", short_number(1e3 * soil.measured->diameter.front()))
         ));
     }
     return sentences;

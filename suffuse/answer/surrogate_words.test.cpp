@@ -120,6 +120,11 @@ TEST_F(Surrogates, AWidthThatWasNotMeasuredIsUnknown) {
     const grains::Soil soil = grains::surrogate_of(open, {.finer_than = 0.3e-3});
     EXPECT_NE(left_out_of(soil, soil.surrogate->size_ratio).front().find("unknown in the fines"), std::string::npos);
     EXPECT_EQ(left_out_of(soil, soil.surrogate->size_ratio).size(), 4U) << "its own ratio is simulated";
+    open.diameter.front() = 0.07e-3;
+    const std::string cohesion = left_out_of(grains::surrogate_of(open, {.finer_than = 0.3e-3}), 100).back();
+    EXPECT_EQ(
+        cohesion.find("Cohesion: up to 5.0 % of the mass may be finer than 0.063 mm (the curve ends at 0.07 mm)"), 0U
+    ) << cohesion;
 }
 
 TEST_F(Surrogates, ASoilOfItsOwnHasNone) {

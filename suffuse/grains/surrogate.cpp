@@ -23,8 +23,10 @@ struct Medians {
 };
 
 std::optional<Medians> find_medians(const Grading& measured, double finer_than) {
+    constexpr double rounding = 1e-3; // of a share, by that of a size in a case
     const double content = passing(measured, finer_than), of_fines = content / 2, of_coarse = (1 + content) / 2;
-    if (!(content > 0 && content < 1) || of_fines < measured.passing.front() || of_coarse > measured.passing.back()) {
+    if (!(content > 0 && content < 1) || of_fines < (1 - rounding) * measured.passing.front() ||
+        of_coarse > (1 + rounding) * measured.passing.back()) {
         return std::nullopt;
     }
     return Medians{size_at(measured, of_coarse), size_at(measured, of_fines)};

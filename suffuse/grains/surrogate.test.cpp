@@ -73,6 +73,9 @@ TEST(Surrogate, NeedsTheMiddleOfBothPartsOnTheMeasuredCurve) {
     const Grading open{{0.1e-3, 0.4e-3, 1e-3, 4e-3}, {0.08, 0.2, 0.2, 0.7}, "open"};
     EXPECT_TRUE(size_ratio(open, 0.5e-3)) << "10 % and 60 % were measured";
     EXPECT_FALSE(size_ratio(open, 0.1e-3)) << "4 % was not";
+    const Grading half{{0.1e-3, 1e-3, 4e-3}, {0.1, 0.3, 1}, "half"};
+    const double split = size_at(half, 0.2);
+    EXPECT_NEAR(*size_ratio(half, (1 - 1e-5) * split), *size_ratio(half, split), 1e-3) << "rounded in a case";
     EXPECT_FALSE(size_ratio(gap_graded, 5e-3)) << "no coarse grains";
     EXPECT_THROW(surrogate_of(open, {.finer_than = 0.1e-3}), CaseError);
     EXPECT_THROW(surrogate_of(gap_graded, {.finer_than = 0.5e-3, .size_ratio = 1.2}), CaseError)

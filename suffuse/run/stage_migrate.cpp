@@ -176,7 +176,7 @@ void write_ledger(
 /// Grains above a gap let those below it pass between them, so a filter must hold the finer part; rules leave the
 /// coarser one out, too (stability/filter_between.hpp).
 std::optional<double> fine_end_of_gap(const grains::Soil& base) {
-    const auto gap = stability::find_gap(base.measured ? *base.measured : grains::specified_grading(base));
+    const auto gap = stability::find_finest_gap(base.measured ? *base.measured : grains::specified_grading(base));
     return gap ? std::optional(gap->fine_end) : std::nullopt;
 }
 

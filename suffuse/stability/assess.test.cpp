@@ -171,6 +171,7 @@ TEST(SkemptonBrogan, NeedsTheStressShareOfTheFinesWhereTheSoilIsUnstable) {
     EXPECT_EQ(open.verdict, Verdict::CannotSay);
     EXPECT_NE(open.remark.find("alpha >= 0.3"), std::string::npos) << open.remark;
     EXPECT_EQ(skempton_brogan({.gradient = 1.2}, Verdict::Unstable).verdict, Verdict::Unstable);
+    EXPECT_EQ(skempton_brogan({.gradient = 0.99}, Verdict::Unstable).verdict, Verdict::CannotSay) << "alpha >= 1";
     // Their sample A: alpha = 0.18, failed at about i = 0.20. [PHYSICS D]
     const Criterion known = skempton_brogan({.gradient = 0.3, .stress_share = 0.18}, Verdict::Unstable);
     EXPECT_NEAR(*known.limit, 0.18 * 0.99, 1e-12);

@@ -58,7 +58,7 @@ Criterion skempton_brogan(const Seepage& seepage, Verdict by_shape) {
         criterion.remark = fmt::format("alpha = {:.3g}, {}", share, factor_of_safety(criterion));
     } else if (all_carry) {
         criterion.remark = fmt::format("alpha = 1 because (H/F)min >= 1.3 (stable), {}", factor_of_safety(criterion));
-    } else if (seepage.gradient > whole) {
+    } else if (criterion.verdict == Verdict::Unstable) {
         criterion.remark = fmt::format("whatever the fines carry, {}", factor_of_safety(criterion));
     } else {
         criterion.limit.reset();

@@ -35,9 +35,35 @@ double surface_up_to(const Grading& grading, std::size_t k, double diameter) {
     return rise / width * (1 / grading.diameter[k] - 1 / diameter);
 }
 
+double width_of(const Gap& gap) {
+    return gap.coarse_end / gap.fine_end;
+}
+
 void expect_both_sides(const Grading& grading, double split) {
     const double below = grains::passing(grading, split);
     expects(below > 0 && below < 1, "a split of a grading has mass on both sides");
+}
+
+/// The finest first.
+std::vector<Gap> find_gaps(const Grading& grading) {
+    std::vector<Gap> gaps;
+    const std::size_t segments = grading.diameter.size() - 1;
+    for (std::size_t first = 0; first < segments; ++first) {
+        if (!is_flat(grading, first)) {
+            continue;
+        }
+        std::size_t end = first;
+        while (end < segments && is_flat(grading, end)) {
+            ++end;
+        }
+        const Gap gap{grading.diameter[first], grading.diameter[end], grading.passing[first]};
+        if (is_steeper_below(grading, first) && width_of(gap) >= least_ratio && gap.finer >= populated &&
+            grading.passing[end] <= 1 - populated) {
+            gaps.push_back(gap);
+        }
+        first = end;
+    }
+    return gaps;
 }
 
 } // namespace
@@ -64,25 +90,14 @@ std::vector<ShapePoint> shape_curve(const Grading& grading, double from, double 
 }
 
 std::optional<Gap> find_gap(const Grading& grading) {
-    std::optional<Gap> found;
-    const std::size_t segments = grading.diameter.size() - 1;
-    for (std::size_t first = 0; first < segments; ++first) {
-        if (!is_flat(grading, first)) {
-            continue;
-        }
-        std::size_t end = first;
-        while (end < segments && is_flat(grading, end)) {
-            ++end;
-        }
-        const Gap gap{grading.diameter[first], grading.diameter[end], grading.passing[first]};
-        const bool counts = is_steeper_below(grading, first) && gap.coarse_end / gap.fine_end >= least_ratio &&
-                            gap.finer >= populated && grading.passing[end] <= 1 - populated;
-        if (counts && (!found || gap.coarse_end / gap.fine_end > found->coarse_end / found->fine_end)) {
-            found = gap;
-        }
-        first = end;
-    }
-    return found;
+    const std::vector<Gap> gaps = find_gaps(grading);
+    const auto widest = std::ranges::max_element(gaps, {}, width_of);
+    return widest == gaps.end() ? std::nullopt : std::optional(*widest);
+}
+
+std::optional<Gap> find_finest_gap(const Grading& grading) {
+    const std::vector<Gap> gaps = find_gaps(grading);
+    return gaps.empty() ? std::nullopt : std::optional(gaps.front());
 }
 
 double coarse_end_at(const Grading& grading, double fraction) {

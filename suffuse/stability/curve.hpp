@@ -24,10 +24,13 @@ struct Gap {
     double finer = 0; ///< mass fraction below it [-]
 };
 
-/// The widest gap: a run of segments flatter than 10 % of the mass per tenfold size, at least 1.5 wide (about one sieve
-/// is missing), with 5 % of the mass or more on either side, and steeper below: not the tail of a curve whose fine end
-/// was not measured. The bounds are ours; the literature draws none.
+/// The widest gap; a gap is a run of segments flatter than 10 % of the mass per tenfold size, at least 1.5 wide (about
+/// one sieve is missing), with 5 % of the mass or more on either side, and steeper below: not the tail of a curve whose
+/// fine end was not measured. The bounds are ours; the literature draws none.
 std::optional<Gap> find_gap(const grains::Grading& grading);
+
+/// The finest of the gaps: grains below it pass between those above it, so a filter must hold them.
+std::optional<Gap> find_finest_gap(const grains::Grading& grading);
 
 /// The largest size with no more than `fraction` passing: the coarse end of a gap, where size_at gives its fine end
 /// [m].

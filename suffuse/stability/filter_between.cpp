@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace suffuse::stability {
 
@@ -21,21 +22,26 @@ namespace {
 
 constexpr double gravel_size = 4.75e-3; // No. 4 [m]
 
-/// The curve of what is finer than `size` [m], which `passing` of the mass is.
-Grading finer_part(const Grading& measured, double size, double passing) {
-    Grading regraded;
-    regraded.origin = measured.origin;
-    for (std::size_t k = 0; k < measured.diameter.size() && measured.diameter[k] < size; ++k) {
-        regraded.diameter.push_back(measured.diameter[k]);
-        regraded.passing.push_back(measured.passing[k] / passing);
+/// A soil without its grains above `size` [m]; both ends of its curve may be open.
+struct FinerPart {
+    const Grading& measured;
+    double size = std::numeric_limits<double>::infinity();
+    Bounds share{1, 1}; ///< of the mass
+
+    [[nodiscard]] Bounds size_of(double passing) const {
+        const double least = size_bounds(measured, passing * share.least).least;
+        return {std::min(size, least), std::min(size, size_bounds(measured, passing * share.most).most)};
     }
-    regraded.diameter.push_back(size);
-    regraded.passing.push_back(1);
-    return regraded;
-}
+
+    [[nodiscard]] Bounds finer_than(double sieve) const {
+        const Bounds whole = share_bounds(measured, sieve);
+        return {
+            std::min(1.0, whole.least / share.most), share.least > 0 ? std::min(1.0, whole.most / share.least) : 1.0};
+    }
+};
 
 /// "0.7 mm", "below 0.075 mm", "0.2 to 0.675 mm".
-std::string bounds_text(const SizeBounds& bounds, double unit, const char* unit_text) {
+std::string bounds_text(const Bounds& bounds, double unit, const char* unit_text) {
     const double least = bounds.least / unit, most = bounds.most / unit;
     return bounds.is_known()  ? fmt::format("{:.3g}{}", least, unit_text)
            : least <= 0       ? fmt::format("below {:.3g}{}", most, unit_text)
@@ -43,13 +49,13 @@ std::string bounds_text(const SizeBounds& bounds, double unit, const char* unit_
                               : fmt::format("{:.3g} to {:.3g}{}", least, most, unit_text);
 }
 
-std::string mm(const SizeBounds& size) {
+std::string mm(const Bounds& size) {
     return bounds_text(size, 1e-3, " mm");
 }
 
 /// A ratio of two sizes. Where one was not measured, its bounds decide if they lie on one side of the limit.
-void judge_ratio(const SizeBounds& over, const SizeBounds& under, const std::string& remark, Criterion& criterion) {
-    const SizeBounds ratio{over.least / under.most, over.most / under.least};
+void judge_ratio(const Bounds& over, const Bounds& under, const std::string& remark, Criterion& criterion) {
+    const Bounds ratio{over.least / under.most, over.most / under.least};
     criterion.value = ratio.most;
     const Verdict at_most = judge(criterion);
     criterion.value = ratio.least;
@@ -73,59 +79,64 @@ int category_of(double fines) {
     return fines > 0.85 ? 1 : fines >= 0.40 ? 2 : fines >= 0.15 ? 3 : 4;
 }
 
+/// By a rule that rises with d85, and falls with the fines.
+double largest_d15(int category, double d85, double fines) {
+    constexpr double least_of_silts = 0.2e-3, of_silty_sands = 0.7e-3; // [m]
+    return category == 1   ? std::max(9 * std::min(d85, sieve_200), least_of_silts)
+           : category == 2 ? of_silty_sands
+           : category == 3 ? (0.40 - fines) / 0.25 * std::max(4 * d85 - of_silty_sands, 0.0) + of_silty_sands
+                           : 4 * d85;
+}
+
+constexpr const char* rule_of_category[] = {
+    " (9 d85, no less than 0.2 mm)", "", " (between 0.7 mm at 40 % of fines and 4 d85 at 15 %)", " (4 d85)"};
+
+/// Shares of fines at which a category begins and ends.
+constexpr Bounds fines_of_category[] = {{0.85, 1}, {0.40, 0.85}, {0.15, 0.40}, {0, 0.15}};
+
+/// "14 to 15.9 % fines".
+std::string fines_text(const Bounds& fines) {
+    return fines.is_known() ? fmt::format("{:.3g} % fines", 100 * fines.least)
+                            : fmt::format("{:.3g} to {:.3g} % fines", 100 * fines.least, 100 * fines.most);
+}
+
 } // namespace
 
 BaseSoil characterize_base(const Grading& measured) {
     BaseSoil base;
     base.d15 = size_bounds(measured, 0.15);
-    const auto gap = find_gap(measured);
+    const auto gap = find_finest_gap(measured);
     base.has_gap = gap && gap->fine_end < gravel_size;
     const double split = base.has_gap ? gap->fine_end : gravel_size;
-    const auto below = share_within(measured, split);
-    const bool is_regraded = below && *below < 1 && *below > measured.passing.front();
+    const Bounds below = share_bounds(measured, split);
+    const bool is_regraded = below.least < 1 && below.most > 0;
     base.regraded_on = is_regraded ? std::optional(split) : std::nullopt;
-    const Grading regraded = is_regraded ? finer_part(measured, split, *below) : measured;
-    base.fines = share_within(regraded, sieve_200);
-    base.d85 = size_bounds(regraded, 0.85);
-    base.d95 = size_bounds(regraded, 0.95);
-    const auto d15 = size_within(regraded, 0.15);
-    base.width = base.d85.is_known() && d15 ? std::optional(base.d85.least / *d15) : std::nullopt;
-    constexpr int least_fines = 4;
-    if (base.fines) {
-        base.category = category_of(*base.fines);
-    } else if (regraded.diameter.front() > sieve_200 && category_of(regraded.passing.front()) == least_fines) {
-        base.category = least_fines; // a larger size passes no more than that
-    }
+    const FinerPart regraded = is_regraded ? FinerPart{measured, split, below} : FinerPart{measured};
+    base.fines = regraded.finer_than(sieve_200);
+    base.d85 = regraded.size_of(0.85);
+    base.d95 = regraded.size_of(0.95);
+    const Bounds d15 = regraded.size_of(0.15);
+    base.width = base.d85.is_known() && d15.is_known() ? std::optional(base.d85.least / d15.least) : std::nullopt;
     return base;
 }
 
-std::optional<LargestFilter> largest_filter(const BaseSoil& base) {
-    static constexpr double least_of_silts = 0.2e-3, of_silty_sands = 0.7e-3; // [m]
-    const auto of_d85 = [&base](auto&& largest) { return SizeBounds{largest(base.d85.least), largest(base.d85.most)}; };
-    switch (base.category) {
-    case 1:
-        return LargestFilter{
-            of_d85([](double d85) { return std::max(9 * d85, least_of_silts); }), " (9 d85, no less than 0.2 mm)"};
-    case 2:
-        return LargestFilter{{of_silty_sands, of_silty_sands}, ""};
-    case 3:
-        return LargestFilter{
-            of_d85([&base](double d85) {
-                const double rise = std::max(4 * d85 - of_silty_sands, 0.0);
-                return (0.40 - *base.fines) / 0.25 * rise + of_silty_sands;
-            }),
-            " (between 0.7 mm at 40 % of fines and 4 d85 at 15 %)"};
-    case 4:
-        return LargestFilter{of_d85([](double d85) { return 4 * d85; }), " (4 d85)"};
-    default:
-        return std::nullopt;
+LargestFilter largest_filter(const BaseSoil& base) {
+    LargestFilter largest{{std::numeric_limits<double>::infinity(), 0}, {}, ""};
+    for (int category = category_of(base.fines.most); category <= category_of(base.fines.least); ++category) {
+        const Bounds& range = fines_of_category[category - 1];
+        const double least = std::max(range.least, base.fines.least), most = std::min(range.most, base.fines.most);
+        largest.d15.least = std::min(largest.d15.least, largest_d15(category, base.d85.least, most));
+        largest.d15.most = std::max(largest.d15.most, largest_d15(category, base.d85.most, least));
+        largest.category.push_back(category);
     }
+    largest.rule = largest.category.size() == 1 ? rule_of_category[largest.category.front() - 1] : "";
+    return largest;
 }
 
 namespace {
 
 /// How D15 of a filter, whole or washed out, stands to what holds the base.
-std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d15) {
+std::vector<Criterion> judge_retention(const BaseSoil& base, const Bounds& d15) {
     const std::string regraded = base.regraded_on ? fmt::format(
                                                         ", base regraded on {:.3g} mm{}", 1e3 * *base.regraded_on,
                                                         base.has_gap ? ", the fine end of its gap" : ""
@@ -135,20 +146,16 @@ std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d
     judge_ratio(d15, base.d85, fmt::format("D15F {}, d85B {}{}", mm(d15), mm(base.d85), regraded), terzaghi);
 
     Criterion no_erosion = define("no-erosion-filter");
-    const auto largest = largest_filter(base);
-    const std::string fines = base.fines ? fmt::format("{:.3g} % fines", 100 * *base.fines) : "few fines";
-    if (largest) {
-        judge_ratio(
-            d15, largest->d15,
-            fmt::format(
-                "base of category {} ({}{}): at most {}{}; not for dispersive clay", base.category, fines, regraded,
-                mm(largest->d15), largest->rule
-            ),
-            no_erosion
-        );
-    } else {
-        no_erosion.remark = "the fines of the base below 0.075 mm were not measured";
-    }
+    const LargestFilter largest = largest_filter(base);
+    const std::string limit = mm(largest.d15.least > 0 ? largest.d15 : Bounds{largest.d15.most, largest.d15.most});
+    judge_ratio(
+        d15, largest.d15,
+        fmt::format(
+            "base of category {} ({}{}): at most {}{}; not for dispersive clay", fmt::join(largest.category, " or "),
+            fines_text(base.fines), regraded, limit, largest.rule
+        ),
+        no_erosion
+    );
 
     Criterion continuing = define("continuing-erosion-filter");
     judge_ratio(
@@ -157,8 +164,8 @@ std::vector<Criterion> judge_retention(const BaseSoil& base, const SizeBounds& d
     return {terzaghi, no_erosion, continuing};
 }
 
-Criterion judge_drainage(const BaseSoil& base, const SizeBounds& d15) {
-    constexpr SizeBounds least_d15{0.1e-3, 0.1e-3}; // [m]
+Criterion judge_drainage(const BaseSoil& base, const Bounds& d15) {
+    constexpr Bounds least_d15{0.1e-3, 0.1e-3}; // [m]
     Criterion drains = define("permeability-filter");
     judge_ratio(
         d15, base.d15, fmt::format("D15F {}, d15B {}; D15F also at least 0.1 mm", mm(d15), mm(base.d15)), drains
@@ -171,12 +178,14 @@ Criterion judge_drainage(const BaseSoil& base, const SizeBounds& d15) {
 
 /// One rule that fails decides; so does one that cannot say, where none fails. Unverified rules do not count.
 void sum_up(FilterCheck& check) {
-    std::vector<std::string> failing, silent;
+    std::vector<std::string> failing, silent, uncounted;
     std::size_t counted = 0;
     for (const Criterion& criterion : check.criteria) {
         counted += criterion.verified ? 1 : 0;
         if (criterion.verified && criterion.verdict != Verdict::Stable) {
             (criterion.verdict == Verdict::CannotSay ? silent : failing).push_back(criterion.name);
+        } else if (criterion.verdict == Verdict::Unstable) {
+            uncounted.push_back(criterion.name);
         }
     }
     if (!failing.empty()) {
@@ -189,6 +198,9 @@ void sum_up(FilterCheck& check) {
     } else {
         check.verdict = Verdict::Stable;
         check.outcome = fmt::format("holds by all {} rules", counted);
+        if (!uncounted.empty()) {
+            check.outcome += fmt::format(" that count, and fails by {}, unverified", fmt::join(uncounted, " and "));
+        }
     }
 }
 
@@ -196,7 +208,7 @@ void sum_up(FilterCheck& check) {
 
 FilterCheck check_filter(const Grading& measured, const Grading& filter) {
     const BaseSoil base = characterize_base(measured);
-    const SizeBounds d15 = size_bounds(filter, 0.15);
+    const Bounds d15 = size_bounds(filter, 0.15);
     FilterCheck check{assess_measured(filter), judge_retention(base, d15)};
     check.criteria.push_back(judge_drainage(base, d15));
     for (Criterion& criterion : judge_filter_itself(filter, check.own)) {

@@ -19,12 +19,11 @@ namespace suffuse::stability {
 struct BaseSoil {
     std::optional<double> regraded_on; ///< the size above which grains are left out [m]; nothing: the curve as it is
     bool has_gap = false;              ///< that size is the fine end of a gap
-    int category = 0;                  ///< 1 to 4 by fines, 0 where they are not known well enough
-    std::optional<double> fines;       ///< finer than 0.075 mm [-]
-    SizeBounds d85;                    ///< [m]
+    Bounds fines;                      ///< finer than 0.075 mm [-]
+    Bounds d85;                        ///< [m]
     std::optional<double> width;       ///< d85/d15 [-]
-    SizeBounds d95;                    ///< [m]
-    SizeBounds d15;                    ///< of the base as it is, not regraded [m]
+    Bounds d95;                        ///< [m]
+    Bounds d15;                        ///< of the base as it is, not regraded [m]
 };
 
 /// @param measured may be open at its ends; of sizes that were not measured it gives bounds
@@ -32,12 +31,12 @@ BaseSoil characterize_base(const grains::Grading& measured);
 
 /// The largest D15 of a filter by the fines of the base.
 struct LargestFilter {
-    SizeBounds d15;   ///< [m]
-    std::string rule; ///< " (4 d85)"; empty where it is a number
+    Bounds d15;                ///< [m]
+    std::vector<int> category; ///< those that the base may have, 1 to 4
+    std::string rule;          ///< " (4 d85)"; empty where it is a number, or where categories are two or more
 };
 
-/// Nothing where the category of the base is not known.
-std::optional<LargestFilter> largest_filter(const BaseSoil& base);
+LargestFilter largest_filter(const BaseSoil& base);
 
 /// A filter of a base.
 struct FilterCheck {

@@ -47,9 +47,8 @@ TEST(FilterBetween, ASandUnderAGravelIsJudgedByItsD85) {
 TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     const auto with = [](double fines, double d85) {
         BaseSoil base;
-        base.fines = fines, base.d85 = {d85, d85};
-        base.category = fines > 0.85 ? 1 : fines >= 0.40 ? 2 : fines >= 0.15 ? 3 : 4;
-        return largest_filter(base).value().d15.least;
+        base.fines = {fines, fines}, base.d85 = {d85, d85};
+        return largest_filter(base).d15.least;
     };
     EXPECT_NEAR(with(0.90, 0.05e-3), 0.45e-3, 1e-12);
     EXPECT_NEAR(with(0.95, 0.01e-3), 0.2e-3, 1e-12); // at least
@@ -62,16 +61,16 @@ TEST(FilterBetween, TheLargestFilterFollowsTheFinesOfTheBase) {
     EXPECT_NEAR(with(0.20, 0.1e-3), 0.7e-3, 1e-12); // no less where 4 d85 is finer
 }
 
+/// Of a base.
+std::vector<int> categories(const grains::Grading& measured) {
+    return largest_filter(characterize_base(measured)).category;
+}
+
 TEST(FilterBetween, TheCategoryOfABaseFollowsItsFines) {
-    const auto category = [](double fines) {
-        return characterize_base({{0.04e-3, 0.075e-3, 0.2e-3}, {0, fines, 1}, ""}).category;
-    };
-    EXPECT_EQ(category(0.851), 1);
-    EXPECT_EQ(category(0.849), 2);
-    EXPECT_EQ(category(0.401), 2);
-    EXPECT_EQ(category(0.399), 3);
-    EXPECT_EQ(category(0.151), 3);
-    EXPECT_EQ(category(0.149), 4);
+    for (const auto& [fines, category] :
+         {std::pair{0.851, 1}, {0.849, 2}, {0.401, 2}, {0.399, 3}, {0.151, 3}, {0.149, 4}}) {
+        EXPECT_EQ(categories({{0.04e-3, 0.075e-3, 0.2e-3}, {0, fines, 1}, ""}), std::vector{category}) << fines;
+    }
 }
 
 TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
@@ -81,7 +80,8 @@ TEST(FilterBetween, TheBaseIsRegradedOnTheSieveOf475Millimeters) {
     EXPECT_EQ(found.regraded_on, 4.75e-3);
     EXPECT_FALSE(found.has_gap);
     EXPECT_NEAR(found.d85.least, 0.05e-3 * std::pow(95, 0.85), 1e-9);
-    EXPECT_NEAR(found.fines.value(), std::log(1.5) / std::log(95), 1e-12);
+    EXPECT_NEAR(found.fines.least, std::log(1.5) / std::log(95), 1e-12);
+    EXPECT_TRUE(found.fines.is_known());
     EXPECT_NEAR(found.d15.least, 0.05e-3 * std::pow(95, 0.30), 1e-9); // of the whole base
 }
 
@@ -116,8 +116,8 @@ TEST(FilterBetween, WhatIsCertainWithoutAMeasurementIsJudged) {
     EXPECT_EQ(verdict(sand, open, 3), Verdict::Unstable);
     EXPECT_EQ(verdict(straight(0.05e-3, 0.14e-3), open, 0), Verdict::CannotSay); // 4 d85 = 0.48 mm
     // Less than 15 % pass 0.15 mm, so fewer are finer than 0.075 mm: category 4.
-    EXPECT_EQ(characterize_base({{0.15e-3, 2e-3}, {0.14, 1}, ""}).category, 4);
-    EXPECT_EQ(characterize_base({{0.15e-3, 2e-3}, {0.16, 1}, ""}).category, 0);
+    EXPECT_EQ(categories({{0.15e-3, 2e-3}, {0.14, 1}, ""}), std::vector{4});
+    EXPECT_EQ(categories({{0.15e-3, 2e-3}, {0.16, 1}, ""}), (std::vector{3, 4}));
 }
 
 TEST(FilterBetween, ItsSentencesGiveTheNumberThatDecides) {
@@ -163,7 +163,7 @@ TEST(FilterBetween, AGapGradedBaseIsRegradedOnTheFineEndOfItsGap) {
     const BaseSoil base = characterize_base(gap_graded_gravel());
     EXPECT_TRUE(base.has_gap);
     EXPECT_EQ(base.regraded_on, 0.25e-3);
-    EXPECT_EQ(base.category, 2); // 50 % of what is finer than the gap
+    EXPECT_EQ(categories(gap_graded_gravel()), std::vector{2}); // 50 % of what is finer than the gap
     const FilterCheck check = check_filter(gap_graded_gravel(), sandy_filter());
     EXPECT_NEAR(rule(check, "no-erosion-filter").value.value(), 1.49, 0.005); // as its own curve below 0.25 mm gives
     EXPECT_NEAR(rule(check, "terzaghi-filter").value.value(), 5.91, 0.005);
@@ -175,6 +175,54 @@ TEST(FilterBetween, AGapGradedBaseIsRegradedOnTheFineEndOfItsGap) {
         rule(check_filter(below, sandy_filter()), "no-erosion-filter").value.value(),
         rule(check, "no-erosion-filter").value.value(), 1e-12
     );
+}
+
+TEST(FilterBetween, OfTwoGapsTheFineOneDecidesForTheGrainsBelowItPassBetweenTheOthers) {
+    const std::vector<double> d{0.04e-3, 0.075e-3, 0.1e-3, 0.2e-3, 0.3e-3, 1e-3, 2e-3, 5e-3, 25e-3, 63e-3};
+    const grains::Grading two{d, {0, .08, .14, .35, .47, .50, .68, .73, .75, 1}, ""};
+    const grains::Grading one{d, {0, .08, .14, .35, .47, .50, .60, .65, .75, 1}, ""}; // without that of 5 to 25 mm
+    const grains::Grading filter{{2.36e-3, 4.75e-3, 6.3e-3, 9.5e-3, 12.5e-3, 19e-3}, {0, .08, .18, .40, .70, 1}, ""};
+    EXPECT_EQ(characterize_base(two).regraded_on, 0.3e-3);
+    for (const char* id : {"terzaghi-filter", "no-erosion-filter", "continuing-erosion-filter"}) {
+        const Criterion criterion = rule(check_filter(two, filter), id);
+        EXPECT_EQ(criterion.verdict, Verdict::Unstable) << id;
+        EXPECT_NEAR(*criterion.value, rule(check_filter(one, filter), id).value.value(), 1e-12) << id;
+    }
+}
+
+TEST(FilterBetween, OfABaseWhoseCurveEndsBelowTheSieveOfRegradingTheGravelHasBounds) {
+    // 88 % below 4 mm: 88 to 100 % below 4.75 mm, so d85 is of 74.8 to 85 %, and 14 to 15.9 % are fines.
+    const grains::Grading base{
+        {5e-6, 20e-6, 75e-6, 0.125e-3, 0.25e-3, 0.5e-3, 1e-3, 2e-3, 4e-3},
+        {0, .04, .14, .22, .36, .48, .62, .76, .88},
+        ""};
+    const BaseSoil found = characterize_base(base);
+    EXPECT_NEAR(found.d85.least, 1e-3 * std::pow(2, (0.85 * 0.88 - 0.62) / 0.14), 1e-9);
+    EXPECT_NEAR(found.d85.most, 2e-3 * std::pow(2, 0.09 / 0.12), 1e-9);
+    EXPECT_NEAR(found.fines.most, 0.14 / 0.88, 1e-12);
+    EXPECT_EQ(categories(base), (std::vector{3, 4}));
+    const auto verdict = [&base](double d15) {
+        return rule(check_filter(base, straight(d15, 1.0001 * d15)), "no-erosion-filter").verdict;
+    };
+    EXPECT_EQ(verdict(13.6e-3), Verdict::Unstable); // above 4 x 3.36 mm
+    EXPECT_EQ(verdict(13.2e-3), Verdict::CannotSay);
+    EXPECT_EQ(verdict(7.5e-3), Verdict::CannotSay);
+    EXPECT_EQ(verdict(7.2e-3), Verdict::Stable); // by 15.9 % of fines and the least d85
+}
+
+TEST(FilterBetween, OfABaseThatWasMeasuredAsGravelAloneAFilterThatHoldsNoSandFails) {
+    // Whatever its 12 % below 4.75 mm are, d85 is no larger.
+    const grains::Grading base{{4.75e-3, 9.5e-3, 19e-3, 37.5e-3, 63e-3}, {.12, .30, .60, .90, 1}, ""};
+    for (const grains::Grading& measured : {base, grains::Grading{{9.5e-3, 19e-3, 63e-3}, {.30, .60, 1}, ""}}) {
+        EXPECT_EQ(characterize_base(measured).d85.most, 4.75e-3);
+        const auto verdict = [&measured](double d15) {
+            return rule(check_filter(measured, straight(d15, 1.0001 * d15)), "no-erosion-filter").verdict;
+        };
+        EXPECT_EQ(verdict(19.1e-3), Verdict::Unstable);
+        EXPECT_EQ(verdict(18.9e-3), Verdict::CannotSay);
+    }
+    // A gravel without any grain below it is its own.
+    EXPECT_FALSE(characterize_base(straight(9.5e-3, 63e-3)).regraded_on);
 }
 
 TEST(FilterBetween, AFilterThatIsUnstableItselfFailsAndIsJudgedWashedOut) {
@@ -197,6 +245,11 @@ TEST(FilterBetween, ACleanStableFilterHolds) {
     const FilterCheck check = check_filter(base, straight(1e-3, 4e-3));
     EXPECT_EQ(check.verdict, Verdict::Stable);
     EXPECT_EQ(filter_summary(check), "holds by all 7 rules");
+    const grains::Grading boulders = straight(2e-3, 400e-3);
+    EXPECT_EQ(
+        filter_summary(check_filter(straight(0.3e-3, 1.5e-3), boulders)),
+        "holds by all 7 rules that count, and fails by Segregation (NRCS 2017), unverified"
+    );
     EXPECT_EQ(rule(check, "filter-fines").value, 0);
 }
 

@@ -16,7 +16,7 @@ std::vector<Criterion> judge_filter_itself(const grains::Grading& filter, const 
 /// What is left of a filter whose coarse part does not hold its fine one.
 struct WashedOut {
     double finer_than = 0; ///< grains that water can take [m]
-    SizeBounds d15;        ///< of the others [m]
+    Bounds d15;            ///< of the others [m]
 };
 
 /// Nothing for a filter that is stable, or has no fine fraction.
