@@ -34,13 +34,14 @@ Names texts_over(const SheetRow& row, const Columns& columns) {
     return texts;
 }
 
-/// Whether these may be names of soils: over every column one, two at least, and none that heads a column.
-bool are_names(const Names& texts) {
+/// Whether these may be names of soils: over every column one that heads none, and not one over all of them.
+bool are_names(const SheetRow& row, const Columns& columns, const Names& texts) {
     const bool are_all = std::ranges::none_of(texts, [](const std::string& text) {
         const ColumnKind kind = read_heading(text).kind;
         return is_blank(text) || (kind != ColumnKind::Other && kind != ColumnKind::Sample);
     });
-    return are_all && std::set<std::string>(texts.begin(), texts.end()).size() > 1;
+    const bool are_apart = std::ranges::none_of(columns, [&row](std::size_t k) { return is_blank(text_at(row, k)); });
+    return are_all && (are_apart || std::set<std::string>(texts.begin(), texts.end()).size() > 1);
 }
 
 bool keeps_each(ShareMeaning meaning) {
@@ -61,22 +62,24 @@ RowLabel label_of(const SheetRow& row, const Columns& columns) {
     return RowLabel::None;
 }
 
-/// Names in the row right above the headings; else those of all rows that say that they name samples, joined.
+/// Names in the rows right above the headings, joined; else those of all rows that say that they name samples.
 Names names_above(const Sheet& sheet, std::size_t header_row, const Columns& columns) {
     Names joined(columns.size());
-    bool is_next = true;
+    bool is_next = true, has_unlabeled = false;
+    int line = sheet.rows[header_row].place.line;
     auto rows = value_rows(sheet, 0, header_row);
     std::ranges::reverse(rows);
     for (const SheetRow* row : rows) {
         const Names texts = texts_over(*row, columns);
         const RowLabel label = label_of(*row, columns);
-        if (are_names(texts) && label == RowLabel::None && is_next) {
-            return texts;
-        }
-        is_next = false;
-        for (std::size_t c = 0; c < columns.size() && label == RowLabel::Sample && are_names(texts); ++c) {
+        is_next = is_next && (!has_unlabeled || row->place.line + 1 == line);
+        const bool counts = is_next ? label != RowLabel::Other : label == RowLabel::Sample && !has_unlabeled;
+        const bool are_theirs = counts && are_names(*row, columns, texts);
+        for (std::size_t c = 0; c < columns.size() && are_theirs; ++c) {
             joined[c] = fmt::format("{}{}{}", texts[c], joined[c].empty() ? "" : " ", joined[c]);
         }
+        is_next = is_next && are_theirs, line = row->place.line;
+        has_unlabeled = has_unlabeled || (are_theirs && label == RowLabel::None);
     }
     return joined;
 }
