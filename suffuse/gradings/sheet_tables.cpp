@@ -246,8 +246,11 @@ private:
             }
             is_apart = is_apart || (k >= last && k > values && row.place.line > sheet_.rows[k - 1].place.line + 1);
             has_begun = has_begun || is_sieve(row); // a word below the headings belongs to them
-            const bool is_depth = !has_begun && read_heading(first_text(row)).names_depth; // of each column
-            if (!row.is_comment && (is_depth || (has_begun && is_note(row, k >= last, is_apart)))) {
+            const bool is_of_samples = !has_begun && read_heading(first_text(row)).kind == ColumnKind::Sample;
+            const std::string name = is_of_samples && shares_.size() == 1 ? sample_named_in(row) : "";
+            if (!name.empty()) {
+                table_.name = name;
+            } else if (!row.is_comment && (is_of_samples || (has_begun && is_note(row, k >= last, is_apart)))) {
                 table_.notes.others.push_back(row);
                 is_apart = k >= last;
             } else {
