@@ -1,6 +1,7 @@
 #include "suffuse/gradings/turned_table.hpp"
 
 #include "suffuse/base/spelling.hpp"
+#include "suffuse/gradings/numbered_samples.hpp"
 #include "suffuse/gradings/sheet_header.hpp"
 
 #include <fmt/format.h>
@@ -84,7 +85,8 @@ private:
         across_ = {row_number, {}, {}, {}, headings_of(row_number)};
         const bool is_result = has_label && read_derived_name(across_.headings.front()); // "Dmax (mm)"
         across_.label = has_label && !is_result ? read_heading(across_.headings.front()) : Heading{};
-        if (across_.label.scale == SizeScale::Unknown) {
+        const bool is_sample = across_.label.kind == ColumnKind::Sample; // whose meters are those of a depth
+        if (across_.label.scale == SizeScale::Unknown || (is_sample && across_.label.scale == SizeScale::Meters)) {
             across_.label.scale = scale_next_to(row);
         }
         std::vector<double> diameters;
@@ -158,8 +160,7 @@ private:
         return !row.is_comment && numbers > 1;
     }
 
-    /// Rows of numbers below. Where these begin with sizes, as their heading says, what stands above the others are
-    /// names of samples, 1, 2, 3 or depths.
+    /// Rows of numbers below. Where these begin with sizes, what is above the others are samples or their depths.
     bool has_samples() {
         samples_.clear(), others_.clear();
         bool begin_with_sizes = true;
@@ -181,8 +182,9 @@ private:
             }
         }
         const bool has_no_label = across_.columns.front() > 0 && is_blank(text_at(sheet_.rows[across_.row], 0));
-        const bool are_names = begin_with_sizes && (across_.label.kind == ColumnKind::Size || has_no_label);
-        return !samples_.empty() && !are_names;
+        return !samples_.empty() &&
+               !(begin_with_sizes && (across_.label.kind == ColumnKind::Size || has_no_label ||
+                                      numbers_samples(sheet_, across_.row, across_.columns, samples_)));
     }
 
     /// What the shares are: by the words of the rows, of the sieves' headings, or of the titles.
