@@ -116,6 +116,11 @@ TEST(ReadTest, HeadingsAreWrittenInManyWays) {
     for (const char* text : {"q [kPa]", "Deviator stress, kPa", "σ1 − σ3 (kPa)", "(sigma1 - sigma3) [kPa]"}) {
         EXPECT_EQ(quantity(text), Quantity::DeviatorStress) << text;
     }
+    EXPECT_EQ(quantity("sigma1' \u2013 sigma3' [kPa]"), Quantity::DeviatorStress);
+    EXPECT_EQ(quantity("deviator stress / q [kPa]"), Quantity::DeviatorStress);
+    for (const char* text : {"σ1+σ3 [kPa]", "σ1'/σ3' [-]", "(sigma1 + sigma3) (kPa)", "sigma1:sigma3", "σ1 / σ3 [1]"}) {
+        EXPECT_EQ(quantity(text), std::nullopt) << text;
+    }
     EXPECT_EQ(quantity("Q [mL/min]", Permeameter), Quantity::Discharge);
     EXPECT_EQ(quantity("cumulative eroded mass (g)", Permeameter), Quantity::Mass);
     EXPECT_EQ(quantity("remarks"), std::nullopt);
@@ -123,6 +128,15 @@ TEST(ReadTest, HeadingsAreWrittenInManyWays) {
     EXPECT_TRUE(read_test_heading("total mean stress [kPa]", Triaxial).is_total);
     EXPECT_EQ(read_test_heading("q_kPa", Triaxial).unit, "kPa");
     EXPECT_TRUE(read_test_heading("Test No.", Triaxial).names_tests);
+}
+
+TEST(ReadTest, ARatioOfStressesIsNotRead) {
+    const TestRecord record = parse("eps1 [%],q [kPa],p' [kPa],σ1'/σ3' [-]\n0,0,100,1\n1,100,133.33,2\n", Triaxial);
+    EXPECT_EQ(record.unread, std::vector<std::string>{"σ1'/σ3' [-]"});
+    expect_words(
+        "a triaxial test has a column of deviator stress or axial stress; found none",
+        refusal("eps1 [%],σ1+σ3 [kPa],e\n0,200,0.7\n1,300,0.7\n", Triaxial)
+    );
 }
 
 TEST(ReadTest, UnitsMayBeInALineBelowTheHeadings) {

@@ -28,7 +28,8 @@ std::string with_latin_letters(std::string_view text) {
     constexpr std::array list{Replacement{"\u03b5", "eps"},   Replacement{"\u03c3", "sigma"},
                               Replacement{"\u0394", "delta"}, Replacement{"\u2032", "'"},
                               Replacement{"\u2019", "'"},     Replacement{"\u2081", "1"},
-                              Replacement{"\u2083", "3"},     Replacement{"\u2212", "-"}};
+                              Replacement{"\u2083", "3"},     Replacement{"\u2212", "-"},
+                              Replacement{"\u2010", "-"},     Replacement{"\u2013", "-"}};
     return replaced(text, list);
 }
 
@@ -132,6 +133,24 @@ std::optional<Quantity> quantity_of(const std::vector<std::string>& words, TestK
     return std::nullopt;
 }
 
+/// "sigma1 + sigma3", "sigma1'/sigma3'": of two quantities something else than their difference.
+bool is_sum_or_ratio(std::string_view text, TestKind kind) {
+    constexpr std::string_view signs = "+/*:&";
+    for (std::size_t at = text.find_first_of(signs); at != std::string_view::npos;
+         at = text.find_first_of(signs, at + 1)) {
+        std::vector<std::string> before = words_of(text.substr(0, at)), after = words_of(text.substr(at + 1));
+        if (before.empty() || after.empty()) {
+            continue;
+        }
+        std::erase(before.back(), '\''), std::erase(after.front(), '\'');
+        const auto first = quantity_named(before.back(), kind), second = quantity_named(after.front(), kind);
+        if (first && second && first != second) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 TestHeading read_test_heading(std::string_view text, TestKind kind) {
@@ -143,7 +162,7 @@ TestHeading read_test_heading(std::string_view text, TestKind kind) {
         heading.is_effective = std::erase(word, '\'') > 0 || heading.is_effective;
     }
     take_remarks(words, heading);
-    heading.quantity = quantity_of(words, kind);
+    heading.quantity = is_sum_or_ratio(rest, kind) ? std::nullopt : quantity_of(words, kind);
     if (!heading.quantity && heading.unit.empty() && words.size() > 1) { // q_kPa
         const std::string_view last = std::string_view(rest).substr(rest.find_last_of("_ ") + 1);
         const auto before = quantity_of({words.begin(), words.end() - 1}, kind);
