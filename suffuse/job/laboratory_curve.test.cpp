@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace suffuse::job {
 namespace {
@@ -207,6 +208,23 @@ TEST(LaboratoryCurve, OfAnUndrainedTestHasTheEffectiveMeanStressThatWaterLeaves)
     const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Undrained));
     ASSERT_EQ(curve.form.measured.back(), CurveQuantity::MeanStressRatio);
     EXPECT_NEAR(curve.values[23], 1 + 0.6 / 3 - 0.5, 1e-12); // p0 + q/3 - u, over p0
+}
+
+TEST(LaboratoryCurve, OfAnUndrainedTestHasTheMeasuredMeanStressWhereTheRadialStressChanges) {
+    for (const char* stress : {"total p", "total sigma3", "total sigma1", "p'", "sigma3'", "sigma1'"}) {
+        std::string text = fmt::format("axial strain [%],q [kPa],pore pressure u [kPa],{} [kPa]\n", stress);
+        for (int k = 0; k <= 10; ++k) {
+            const int u = 200 + 4 * k, q = 9 * k, p = 300; // both p = 300 kPa and p' = 100 - 4 k
+            const std::string_view name = stress;
+            const int total = name.ends_with("1") || name.ends_with("1'")   ? p + 2 * q / 3
+                              : name.ends_with("3") || name.ends_with("3'") ? p - q / 3
+                                                                            : p;
+            text += fmt::format("{},{},{},{}\n", k, q, u, name.ends_with("'") ? total - u : total);
+        }
+        const LaboratoryCurve curve = curve_of(text, target_of(CalibrateTest::Undrained));
+        ASSERT_EQ(curve.form.measured.back(), CurveQuantity::MeanStressRatio);
+        EXPECT_NEAR(curve.values[23], 0.6, 1e-12) << stress;
+    }
 }
 
 TEST(LaboratoryCurve, OfAnOedometerIsThatOfItsFirstLoading) {

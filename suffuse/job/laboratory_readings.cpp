@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <utility>
 
 namespace suffuse::job {
 
@@ -78,11 +80,20 @@ Values deviator_of(const Readings& readings) {
 }
 
 Values mean_of(const Readings& readings, double pressure) {
-    const laboratory::TestColumn* mean = readings.find(Quantity::MeanStress);
-    if (mean != nullptr && mean->is_effective.value_or(true)) {
-        return readings.of(Quantity::MeanStress);
+    if (readings.find(Quantity::MeanStress) != nullptr) {
+        return stress_of(readings, Quantity::MeanStress, true);
     }
     Values effective = deviator_of(readings);
+    constexpr std::array shares{std::pair{Quantity::RadialStress, 1. / 3}, std::pair{Quantity::AxialStress, -2. / 3}};
+    for (const auto& [quantity, share] : shares) {
+        if (readings.find(quantity) != nullptr) {
+            const Values stress = stress_of(readings, quantity, true);
+            std::ranges::transform(effective, stress, effective.begin(), [share = share](double q, double one) {
+                return one + share * q;
+            });
+            return effective;
+        }
+    }
     const Values water = since_start(readings.of(Quantity::PorePressure));
     std::ranges::transform(effective, water, effective.begin(), [&](double q, double u) {
         return pressure + q / 3 - u;

@@ -40,7 +40,8 @@ Values stress_of(const Readings& readings, laboratory::Quantity quantity, bool a
 /// Of stresses of which one is effective and the other total, both are taken as effective.
 Values deviator_of(const Readings& readings);
 
-/// Effective mean stress: measured, or what the pore water leaves of the pressure of the start.
+/// Effective mean stress: measured; else of the radial or axial stress and q; else what water leaves of the pressure of
+/// the start, at a constant total radial stress.
 Values mean_of(const Readings& readings, double pressure);
 
 /// Effective, as far as the record has it.
