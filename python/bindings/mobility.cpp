@@ -75,6 +75,7 @@ py::dict to_dict(const erosion::MobilityResult& mobility, const dem::World& worl
     if (const std::optional<erosion::FactorOfSafety> safety = erosion::factor_of_safety(mobility)) {
         dict["factor_of_safety"] = safety->factor;
         dict["factor_of_safety_at_least"] = safety->at_least;
+        dict["factor_of_safety_at_most"] = safety->is_at_most;
     }
     return dict;
 }

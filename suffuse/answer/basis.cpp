@@ -11,6 +11,7 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/grains/surrogate.hpp"
 #include "suffuse/stability/critical_gradient.hpp"
+#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -88,8 +89,7 @@ std::vector<Estimate> all_estimates(const MobilityStory& story, const std::vecto
         estimates.push_back({story.skempton_brogan.mean, "α i_c, Skempton and Brogan"});
     }
     const erosion::MobilityResult& one = story.one();
-    const bool is_upward = dot(one.down, one.direction) < -0.9999;
-    if (is_upward && one.single_grain_gradient) {
+    if (is_upward(one) && one.single_grain_gradient) {
         estimates.push_back({moves_over_single * *one.single_grain_gradient, "lift of single grains"});
     }
     add_atlas(story, rows, estimates);
@@ -248,8 +248,8 @@ std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Ro
         const auto [least, most] = std::ranges::minmax_element(estimates, {}, &Estimate::gradient);
         const double specified = *story.specified_gradient;
         text += fmt::format(
-            " Over the specified {:g}: {:.1f} ({}) to {:.1f} ({}).", specified, least->gradient / specified, least->by,
-            most->gradient / specified, most->by
+            " Over the specified {:g}: {} ({}) to {} ({}).", specified, study::factor_text(least->gradient / specified),
+            least->by, study::factor_text(most->gradient / specified), most->by
         );
     }
     return text;

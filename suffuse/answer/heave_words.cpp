@@ -38,6 +38,9 @@ public:
                 }
             }
         }
+        if (const auto& mobility = stage.findings.mobility) {
+            add(mobility->specified_gradient.value_or(0), mobility->heave_gradient, true);
+        }
         for (const erosion::ProbeResult& probe : stage.findings.probes) {
             add(probe.gradient, critical(stage, porosity_of(stage)), false);
         }

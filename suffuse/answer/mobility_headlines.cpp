@@ -3,9 +3,11 @@
 #include "suffuse/answer/mobility_text.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suffuse::answer {
@@ -27,6 +29,8 @@ double within_step(const MobilityStory& story, double gradient) {
     return 0;
 }
 
+const char* const still_moving = "fines were still moving when the gradient rose";
+
 Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, bool at_most, std::string label) {
     const std::string value =
         is_almost_none(gradient.mean) ? "< 0.01" : (at_most ? "≤ " : "") + fixed(gradient.mean, 2);
@@ -35,15 +39,31 @@ Headline gradient_headline(const MobilityStory& story, const Scatter& gradient, 
             {value, std::move(label), fmt::format("{} samples", gradient.seeds), spread_text(gradient, 1, 2)}, gradient
         );
     }
+    if (at_most) {
+        return with_certainty({value, std::move(label), still_moving}, gradient);
+    }
     const std::string spread = is_almost_none(gradient.mean) ? "" : "± " + fixed(within_step(story, gradient.mean), 2);
     return {value, std::move(label), "within a step of the ramp; no replicate", spread};
+}
+
+/// Where the soil floats at the specified gradient, and few fines move before.
+Headline heave_safety_headline(const MobilityStory& story) {
+    return with_certainty(
+        {heave_factor_text(story), "Factor of safety against heave",
+         fmt::format(
+             "the water lifts the whole soil before 1 % of the fines move; specified {:.2f}", *story.specified_gradient
+         ),
+         spread_text(story.heave, 1 / *story.specified_gradient, 2)},
+        story.heave
+    );
 }
 
 Headline safety_headline(const MobilityStory& story) {
     Headline headline{"", fmt::format("Factor of safety before 1 % move {}", distance_text(story)), ""};
     const double specified = *story.specified_gradient;
+    const std::string at_most = story.at_most_1 ? "≤ " : "";
     if (!is_met(story.safety, story)) {
-        headline.value = "≥ " + bound_text(*story.safety_at_least);
+        headline.value = "≥ " + study::least_factor_text(*story.safety_at_least);
         headline.detail = fmt::format(
             "{} before 1 % of the fines move; specified {:.2f}",
             goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
@@ -59,27 +79,31 @@ Headline safety_headline(const MobilityStory& story) {
             );
         }
     } else if (story.safety.seeds > 1) {
-        headline.value = fixed(story.safety.mean, 1);
-        headline.spread = spread_text(story.safety, 1, 1);
+        headline.value = at_most + study::factor_text(story.safety.mean);
+        headline.spread = spread_text(story.safety, 1, study::decimals_of_factor(story.safety.mean));
         headline.detail = fmt::format("{} samples; specified {:.2f}", story.safety.seeds, specified);
+        headline = with_certainty(std::move(headline), story.safety);
+    } else if (story.at_most_1) {
+        headline.value = at_most + study::factor_text(story.safety.mean);
+        headline.detail = still_moving;
         headline = with_certainty(std::move(headline), story.safety);
     } else {
         const double half = within_step(story, story.moves_1.mean) / specified;
-        headline.value = fixed(story.safety.mean, 1);
+        headline.value = study::factor_text(story.safety.mean);
         headline.detail = fmt::format(
-            "{} to {} within a step of the ramp; no replicate", fixed(story.safety.mean - half, 1),
-            fixed(story.safety.mean + half, 1)
+            "{} to {} within a step of the ramp; no replicate",
+            study::factor_text(std::max(0.0, story.safety.mean - half)), study::factor_text(story.safety.mean + half)
         );
     }
     const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
     if (moves_late || (story.heave.seeds > 0 && story.heave.mean < story.moves_1.mean)) { // what fails first decides
-        headline.caution = fmt::format(
-            "The whole soil heaves before, at {} times the specified gradient.", fixed(story.heave.mean / specified, 1)
-        );
+        headline.caution =
+            fmt::format("The whole soil heaves before, at {} times the specified gradient.", heave_factor_text(story));
     }
     if (do_disagree(story)) {
-        headline.caution =
-            fmt::format("Skempton and Brogan's rule gives {}; the reason is below.", fixed(*safety_by_rule(story), 1));
+        headline.caution = fmt::format(
+            "Skempton and Brogan's rule gives {}; the reason is below.", study::factor_text(*safety_by_rule(story))
+        );
     }
     return headline;
 }
@@ -88,7 +112,10 @@ Headline safety_headline(const MobilityStory& story) {
 
 std::vector<Headline> mobility_headlines(const MobilityStory& story) {
     std::vector<Headline> headlines;
-    if (story.specified_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
+    const bool floats = !is_met(story.moved_at_specified, story) && story.lifted_at_specified > 0;
+    if (floats && !is_met(story.safety, story)) {
+        headlines.push_back(heave_safety_headline(story));
+    } else if (story.specified_gradient && (is_met(story.safety, story) || story.safety_at_least)) {
         headlines.push_back(safety_headline(story));
     }
     if (is_met(story.moves_1, story)) {
@@ -100,7 +127,10 @@ std::vector<Headline> mobility_headlines(const MobilityStory& story) {
         headlines.push_back(gradient_headline(story, story.moves_10, story.at_most_10, "Gradient that moves 10 %"));
     }
     if (story.heave.seeds > 0) {
-        Headline heave = {fixed(story.heave.mean, 2), "Gradient of heave, i_c", "by the weight of the soil (Terzaghi)"};
+        const bool is_critical = is_upward(story.one());
+        Headline heave = {
+            fixed(story.heave.mean, 2), is_critical ? "Gradient of heave, i_c" : "Gradient of heave",
+            is_critical ? "by the weight of the soil (Terzaghi)" : "of this flow: i_c over the sine of its rise"};
         heave.spread = spread_text(story.heave, 1, 2);
         headlines.push_back(with_certainty(std::move(heave), story.heave));
     }

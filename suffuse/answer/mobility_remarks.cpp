@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 namespace suffuse::answer {
 namespace {
@@ -22,7 +23,7 @@ std::string of_which(const MobilityStory& story) {
 
 /// Of the shares that move at the specified gradient, others than the one that counts.
 std::string compare_measures(const MobilityStory& story) {
-    const std::vector<erosion::MobilityStep>& ramp = story.one().ramp;
+    const std::span<const erosion::MobilityStep> ramp = steps_below_heave(story.one());
     const auto step = std::ranges::find_if(ramp, [&](const erosion::MobilityStep& level) {
         return level.gradient >= story.specified_gradient.value_or(level.gradient) &&
                level.displaced_mass_share >= 0.01;
@@ -67,15 +68,17 @@ std::string compare_with_heave_of_fines(const MobilityStory& story) {
         return "";
     }
     return fmt::format(
-        "The seepage force on all fines outweighs them at {} (FC i_c/s, s = {:.2f}{}: the share of the force that "
-        "acts on them).",
-        gradient_text(story.fines_heave), story.one().drag_share, of_which(story)
+        "The seepage force on all fines outweighs them at {} ({}, s = {:.2f}{}: the share of the force that acts on "
+        "them).",
+        gradient_text(story.fines_heave), is_upward(story.one()) ? "FC i_c/s" : "heave × FC/s", story.one().drag_share,
+        of_which(story)
     );
 }
 
 /// Of the grains that move, those that the skeleton's constrictions hold back.
 std::string compare_with_passage(const MobilityStory& story) {
-    const erosion::MobilityStep& last = story.one().ramp.back();
+    const std::span<const erosion::MobilityStep> ramp = steps_below_heave(story.one());
+    const erosion::MobilityStep last = ramp.empty() ? erosion::MobilityStep{} : ramp.back();
     if (!last.leaving_mass_share || *last.leaving_mass_share > 0.9 * last.mobile_mass_share ||
         last.mobile_mass_share < 0.01) {
         return "";

@@ -2,11 +2,11 @@
 
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace suffuse::answer {
 namespace {
@@ -21,9 +21,12 @@ std::string gradient_text(const Scatter& gradient) {
                                            : fmt::format("{:.2f}", gradient.mean);
 }
 
+bool is_almost_nothing(double share) {
+    return share < 0.0005;
+}
+
 std::string moved_text(double share) {
-    const double percent = 100 * share;
-    return percent < 0.05 ? "less than 0.1 %" : short_number(percent, 2) + " %";
+    return is_almost_nothing(share) ? "less than 0.1 %" : short_number(100 * share, 2) + " %";
 }
 
 std::string sifting_text(const MobilityStory& story) {
@@ -36,21 +39,20 @@ std::string distance_text(const MobilityStory& story) {
     return story.moved == 0.5 ? "half a diameter" : short_number(story.moved, 2) + " diameters";
 }
 
-std::string bound_text(double least) {
-    constexpr double rounding = 1e-9;
-    return fixed(std::floor(10 * least + rounding) / 10, 1);
-}
-
-bool is_met(const Scatter& gradient, const MobilityStory& story) {
-    return 2 * static_cast<std::size_t>(gradient.seeds) > story.of_sample.size();
-}
-
 double end_of_ramp(const MobilityStory& story) {
     return story.one().ramp.back().gradient;
 }
 
 bool goes_to_heave(const MobilityStory& story) {
     return story.heave.seeds > 0 && end_of_ramp(story) >= story.heave.mean;
+}
+
+std::string end_text(const MobilityStory& story) {
+    return goes_to_heave(story) ? "below heave" : fmt::format("up to i = {:.2f}", end_of_ramp(story));
+}
+
+std::string heave_factor_text(const MobilityStory& story) {
+    return study::factor_text(story.heave.mean / *story.specified_gradient);
 }
 
 bool is_almost_none(double gradient) {
@@ -66,11 +68,13 @@ std::optional<double> safety_by_rule(const MobilityStory& story) {
 
 bool do_disagree(const MobilityStory& story) {
     const std::optional<double> by_rule = safety_by_rule(story);
-    if (!by_rule || !(is_met(story.safety, story) || story.safety_at_least)) {
+    if (!by_rule) {
         return false;
     }
-    const double moved = is_met(story.safety, story) ? story.safety.mean : *story.safety_at_least;
-    return (moved >= 1) != (*by_rule >= 1);
+    const bool moves = is_met(story.safety, story), is_known = moves && !story.at_most_1;
+    const bool is_safe = is_known ? story.safety.mean >= 1 : !moves && story.safety_at_least.value_or(0) >= 1;
+    const bool is_unsafe = moves && story.safety.mean < 1;
+    return *by_rule >= 1 ? is_unsafe : is_safe;
 }
 
 } // namespace suffuse::answer

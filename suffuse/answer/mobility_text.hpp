@@ -11,6 +11,9 @@ namespace suffuse::answer {
 /// "0.30 ± 0.02"; a single sample has no deviation.
 std::string gradient_text(const study::Scatter& gradient);
 
+/// Of a share that sentences give as less than a tenth of a percent.
+bool is_almost_nothing(double share);
+
 /// "12 %", "less than 0.1 %".
 std::string moved_text(double share);
 
@@ -20,17 +23,17 @@ std::string sifting_text(const study::MobilityStory& story);
 /// "half a diameter": what a grain moves along the flow before it counts.
 std::string distance_text(const study::MobilityStory& story);
 
-/// A lower bound, which rounding does not raise.
-std::string bound_text(double least);
-
-/// Whether more than half of the samples have it.
-bool is_met(const study::Scatter& gradient, const study::MobilityStory& story);
-
 /// Its highest gradient.
 double end_of_ramp(const study::MobilityStory& story);
 
 /// Whether the ramp goes as far as the gradient that lifts the whole soil.
 bool goes_to_heave(const study::MobilityStory& story);
+
+/// "below heave", "up to i = 1.20": how far the ramp goes.
+std::string end_text(const study::MobilityStory& story);
+
+/// The gradient of heave over the specified one: "0.81".
+std::string heave_factor_text(const study::MobilityStory& story);
 
 /// Ramps know a gradient to 0.01.
 bool is_almost_none(double gradient);

@@ -5,6 +5,7 @@
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/casefile/stage_traits.hpp"
+#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
@@ -38,9 +39,8 @@ std::string met_by(const Scatter& gradient, const MobilityStory& story) {
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51".
 std::string what_moves(const MobilityStory& story) {
     const bool heaves_first = story.heave.seeds > 0 && story.moves_1.mean >= story.heave.mean;
-    const std::string end = goes_to_heave(story) ? "below heave" : fmt::format("up to i = {:.2f}", end_of_ramp(story));
     if (!is_met(story.moves_1, story) || heaves_first) {
-        return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end);
+        return fmt::format("moves less than 1 % of the fines {}", heaves_first ? "below heave" : end_text(story));
     }
     return fmt::format(
                "moves 1 % of the fines at {}{}, ", reached_text(story.moves_1, story.at_most_1, "i = "),
@@ -50,7 +50,7 @@ std::string what_moves(const MobilityStory& story) {
                                                 "a tenth at {}{}", reached_text(story.moves_10, story.at_most_10, ""),
                                                 met_by(story.moves_10, story)
                                             )
-                                          : fmt::format("less than a tenth {}", end));
+                                          : fmt::format("less than a tenth {}", end_text(story)));
 }
 
 /// "; the soil heaves at 1.05".
@@ -62,21 +62,49 @@ std::string heave_text(const MobilityStory& story, const std::string& gradient) 
     return fmt::format("; the soil heaves at {}{}", gradient, is_first ? " first" : "");
 }
 
-/// "moves 0.2 %".
-std::string moved_at_specified_text(const MobilityStory& story) {
-    return fmt::format(
-        "moves {}{}", story.moved_at_specified_at_least ? "at least " : "", moved_text(story.moved_at_specified.mean)
-    );
-}
-
 /// "factor of safety 1.5 before 1 % move half a diameter": the number, and what it rests on.
 std::string safety_text(const MobilityStory& story) {
-    const std::string factor = !is_met(story.safety, story)
-                                   ? "at least " + bound_text(story.safety_at_least.value_or(0))
-                               : story.safety.standard_deviation > 0
-                                   ? fmt::format("{:.1f} ± {:.1f}", story.safety.mean, story.safety.standard_deviation)
-                                   : fmt::format("{:.1f}", story.safety.mean);
+    if (!is_met(story.safety, story) && !story.safety_at_least) {
+        return "no factor of safety, as motion had not ended when the gradient rose";
+    }
+    const std::string factor = is_met(story.safety, story)
+                                   ? (story.at_most_1 ? "at most " : "") + study::factor_text(story.safety)
+                                   : "at least " + study::least_factor_text(*story.safety_at_least);
     return fmt::format("factor of safety {} before 1 % move {}", factor, distance_text(story));
+}
+
+/// What the specified gradient does.
+struct AtSpecified {
+    std::string effect; ///< "At the specified 0.20 it moves 0.2 %"
+    std::string factor; ///< of safety; may be empty
+};
+
+/// "it moves 0.2 %". A lower bound of nearly nothing bounds nothing.
+std::string moved_at_specified_text(const MobilityStory& story) {
+    const double share = story.moved_at_specified.mean;
+    const std::string where = met_by(story.moved_at_specified, story);
+    if (!story.moved_at_specified_at_least) {
+        return fmt::format("it moves {}{}", moved_text(share), where);
+    }
+    return is_almost_nothing(share) ? fmt::format("it moved {}{} before the gradient rose", moved_text(share), where)
+                                    : fmt::format("it moves at least {}{}", moved_text(share), where);
+}
+
+AtSpecified at_specified(const MobilityStory& story) {
+    const std::string specified = fmt::format("{:.2f}", *story.specified_gradient);
+    if (is_met(story.moved_at_specified, story)) {
+        return {fmt::format("At the specified {} {}", specified, moved_at_specified_text(story)), safety_text(story)};
+    }
+    if (const std::size_t lifted = story.lifted_at_specified, all = story.of_sample.size(); lifted > 0) {
+        return {
+            fmt::format(
+                "At the specified {} the water lifts the whole soil{}", specified,
+                lifted == all ? "" : fmt::format(" in {} of {} samples", lifted, all)
+            ),
+            is_met(story.safety, story) ? safety_text(story)
+                                        : fmt::format("factor of safety {} against heave", heave_factor_text(story))};
+    }
+    return {fmt::format("The specified {} is beyond the ramp", specified), ""};
 }
 
 /// "moves 1 % of the fines at i = 0.30, a tenth at 0.51": means alone.
@@ -109,15 +137,8 @@ std::string verdict(const MobilityStory& story) {
     if (!story.specified_gradient) {
         return fmt::format("{} ({}).", text.substr(0, text.size() - 1), samples_text(story));
     }
-    if (story.moved_at_specified.seeds == 0) {
-        return fmt::format(
-            "{} The specified {:.2f} is beyond the ramp ({}).", text, *story.specified_gradient, samples_text(story)
-        );
-    }
-    return fmt::format(
-        "{} At the specified {:.2f} it {} ({}; {}).", text, *story.specified_gradient, moved_at_specified_text(story),
-        safety_text(story), samples_text(story)
-    );
+    const auto [effect, factor] = at_specified(story);
+    return fmt::format("{} {} ({}{}{}).", text, effect, factor, factor.empty() ? "" : "; ", samples_text(story));
 }
 
 std::vector<std::string> short_verdict(const MobilityStory& story) {
@@ -133,16 +154,10 @@ std::vector<std::string> short_verdict(const MobilityStory& story) {
     if (!story.specified_gradient) {
         return lines;
     }
-    if (story.moved_at_specified.seeds == 0) {
-        lines.push_back(fmt::format("The specified {:.2f} is beyond the ramp.", *story.specified_gradient));
-        return lines;
-    }
     MobilityStory means = story;
     means.safety.standard_deviation = 0;
-    lines.push_back(fmt::format(
-        "At the specified {:.2f} it {}: {}.", *story.specified_gradient, moved_at_specified_text(story),
-        safety_text(means)
-    ));
+    const auto [effect, factor] = at_specified(means);
+    lines.push_back(fmt::format("{}{}{}.", effect, factor.empty() ? "" : ": ", factor));
     return lines;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace suffuse::answer {
@@ -128,9 +129,71 @@ TEST(MobilityWords, BoundTheFactorOfSafetyByAllSamplesAlsoByThoseThatMoved) {
     const study::MobilityStory story = story_of({still, moved, still}).front();
     EXPECT_NEAR(*story.safety_at_least, 0.75, 1e-12) << "less than the bound of the others";
     const Headline card = mobility_headlines(story).front();
-    EXPECT_EQ(card.value, "≥ 0.7") << "rounding does not raise it";
+    EXPECT_EQ(card.value, "≥ 0.75");
     EXPECT_NE(card.detail.find("the least of three samples, of which one moves 1 % before"), std::string::npos)
         << card.detail;
+}
+
+TEST(MobilityWords, OfASpecifiedGradientAboveHeaveSayThatTheWaterLiftsTheWholeSoil) {
+    erosion::MobilityResult lifted = upward();
+    lifted.specified_gradient = 1.2;
+    lifted.ramp.back().displaced_mass_share = 0.3;
+    EXPECT_NE(
+        verdict(story_of({lifted}).front())
+            .find("At the specified 1.20 the water lifts the whole soil (factor of safety 0.25 before 1 % move half a "
+                  "diameter; one sample)."),
+        std::string::npos
+    ) << verdict(story_of({lifted}).front());
+    lifted.moves_1.reset(), lifted.moves_10.reset();
+    const MobilityStory story = story_of({lifted}).front();
+    EXPECT_EQ(
+        verdict(story), "Upward flow moves less than 1 % of the fines below heave; the soil heaves at 1.05 first. At "
+                        "the specified 1.20 the water lifts the whole soil (factor of safety 0.88 against heave; one "
+                        "sample)."
+    );
+    EXPECT_EQ(
+        short_verdict(story).back(),
+        "At the specified 1.20 the water lifts the whole soil: factor of safety 0.88 against heave."
+    );
+    const Headline card = mobility_headlines(story).front();
+    EXPECT_EQ(card.value, "0.88");
+    EXPECT_EQ(card.label, "Factor of safety against heave");
+    for (const std::string& remark : remarks_on(story)) {
+        EXPECT_EQ(remark.find("i = 1.20"), std::string::npos) << remark << ": a step that counts for nothing";
+    }
+}
+
+TEST(MobilityWords, OfASampleThatHeavesAtTheSpecifiedGradientSayHowManyDo) {
+    erosion::MobilityResult still = upward(), lifted = upward();
+    still.heave_gradient = 1.3;
+    for (erosion::MobilityResult* sample : {&still, &lifted}) {
+        sample->moves_1.reset(), sample->moves_10.reset(), sample->specified_gradient = 1.2;
+        sample->ramp.back().mobile_mass_share = 0.004;
+    }
+    EXPECT_NE(
+        verdict(story_of({still, lifted}).front()).find("lifts the whole soil in 1 of 2 samples"), std::string::npos
+    );
+    EXPECT_NE(
+        verdict(story_of({still, lifted, still}).front()).find("it moves 0.4 % in 2 of 3 samples"), std::string::npos
+    );
+}
+
+TEST(MobilityWords, GiveNoLowerBoundOfNothing) {
+    erosion::MobilityResult creeping = upward();
+    creeping.ramp.front().mobile_mass_share = 0, creeping.ramp.front().still_moving = 0.1;
+    EXPECT_NE(
+        verdict(story_of({creeping}).front())
+            .find("At the specified 0.20 it moved less than 0.1 % before the gradient rose"),
+        std::string::npos
+    ) << verdict(story_of({creeping}).front());
+}
+
+TEST(MobilityWords, RoundNoFactorOfSafetyUpToOne) {
+    erosion::MobilityResult near = upward();
+    near.moves_1 = 0.98 * *near.specified_gradient;
+    const MobilityStory story = story_of({near}).front();
+    EXPECT_NE(verdict(story).find("factor of safety 0.98 before"), std::string::npos) << verdict(story);
+    EXPECT_EQ(mobility_headlines(story).front().value, "0.98");
 }
 
 TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
@@ -144,12 +207,50 @@ TEST(MobilityWords, SayWhichGradientsAndSharesAreBounds) {
         verdict(story_of({creeping}).front()),
         "Upward flow moves 1 % of the fines at i = 0.30 or less, a tenth at "
         "0.51; the soil heaves at 1.05. At the specified "
-        "0.20 it moves at least 0.2 % (factor of safety 1.5 before 1 % move half a diameter; one sample)."
+        "0.20 it moves at least 0.2 % (factor of safety at most 1.5 before 1 % move half a diameter; one sample)."
     );
     const std::vector<Headline> cards = mobility_headlines(story_of({creeping}).front());
+    EXPECT_EQ(cards[0].value, "≤ 1.5");
+    EXPECT_EQ(cards[0].detail, "fines were still moving when the gradient rose; no replicate") << "no low end";
     EXPECT_EQ(cards[1].value, "≤ 0.30");
+    EXPECT_EQ(cards[1].spread, "") << "it may be lower by more than a step";
     EXPECT_EQ(cards[2].value, "0.51");
     EXPECT_EQ(cards[2].spread, "± 0.01") << "half of a step of 0.01, rounded up";
+}
+
+TEST(MobilityWords, KnowNoFactorOfSafetyWhereNoStepEnded) {
+    erosion::MobilityResult creeping = upward();
+    creeping.moves_1.reset(), creeping.moves_10.reset();
+    creeping.ramp.front().still_moving = 0.1;
+    EXPECT_NE(
+        verdict(story_of({creeping}).front()).find("(no factor of safety, as motion had not ended"), std::string::npos
+    ) << verdict(story_of({creeping}).front());
+    EXPECT_EQ(mobility_headlines(story_of({creeping}).front()).front().label, "Gradient of heave, i_c");
+}
+
+TEST(MobilityWords, SeeNoDisagreementWithARuleInWhatIsOnlyABound) {
+    erosion::MobilityResult creeping = upward();
+    creeping.skempton_brogan_gradient = 0.14;
+    creeping.ramp.back().gradient = 1;
+    EXPECT_TRUE(disagreement(story_of({creeping}).front()));
+    creeping.ramp.front().still_moving = 0.1;
+    EXPECT_FALSE(disagreement(story_of({creeping}).front())) << "at most 1.5 may be below 1";
+    erosion::MobilityResult still = upward();
+    still.moves_1.reset(), still.moves_10.reset();
+    still.specified_gradient = 0.21, still.skempton_brogan_gradient = 0.25;
+    EXPECT_FALSE(disagreement(story_of({still}).front())) << "at least 0.95 may be above 1";
+}
+
+TEST(MobilityWords, CallHeaveTheCriticalGradientOfFlowStraightUpAlone) {
+    erosion::MobilityResult oblique = upward();
+    oblique.direction = {std::sqrt(0.75), 0, 0.5}, oblique.heave_gradient = 1.87;
+    const MobilityStory story = story_of({oblique}).front();
+    EXPECT_EQ(mobility_headlines(story).back().label, "Gradient of heave");
+    EXPECT_NE(mobility_headlines(story).back().detail.find("i_c over the sine of its rise"), std::string::npos);
+    for (const std::string& remark : remarks_on(story)) {
+        EXPECT_EQ(remark.find("FC i_c/s"), std::string::npos) << remark;
+    }
+    EXPECT_EQ(mobility_headlines(story_of({upward()}).front()).back().label, "Gradient of heave, i_c");
 }
 
 TEST(MobilityWords, OfSeveralSamplesGiveMeanAndDeviation) {
@@ -200,7 +301,7 @@ TEST(MobilityWords, CallTwoGradientsNearThatDifferByLessThanAFactorOfOnePointThr
 
 TEST(MobilityWords, NameTheSampleWhereANumberIsOfOneAlone) {
     erosion::MobilityResult mobility = upward();
-    mobility.ramp.back().displaced_mass_share = 0.3;
+    mobility.ramp.back().gradient = 1, mobility.ramp.back().displaced_mass_share = 0.3;
     const auto labels = [](const MobilityStory& story) {
         return std::ranges::count_if(remarks_on(story), [](const std::string& remark) {
             return remark.find(" in the first sample") != std::string::npos;

@@ -1,5 +1,6 @@
 #include "suffuse/answer/surrogate_words.hpp"
 
+#include "suffuse/answer/mobility_text.hpp"
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/words.hpp"
@@ -105,7 +106,7 @@ std::string ratios_of(const ByRatio& stories) {
     return listed(texts);
 }
 
-/// "0.40, 0.30 and 0.22", with "more than 1.2" where the ramp ends before.
+/// "0.40, 0.30 and 0.22", "none below heave (1.13)" or "more than 1.20" where most samples do not reach it.
 std::string
 gradients_by_ratio(const ByRatio& stories, study::Scatter MobilityStory::*gradient, bool MobilityStory::*at_most) {
     std::vector<std::string> texts;
@@ -113,8 +114,9 @@ gradients_by_ratio(const ByRatio& stories, study::Scatter MobilityStory::*gradie
     for (const MobilityStory* const story : stories) {
         const study::Scatter& found = story->*gradient;
         texts.push_back(
-            found.seeds == 0 ? fmt::format("more than {:.2f}", story->one().ramp.back().gradient)
-                             : fmt::format("{}{:.2f}", story->*at_most ? "≤ " : "", found.mean)
+            is_met(found, *story)   ? fmt::format("{}{:.2f}", story->*at_most ? "≤ " : "", found.mean)
+            : goes_to_heave(*story) ? fmt::format("none below heave ({:.2f})", story->heave.mean)
+                                    : fmt::format("more than {:.2f}", end_of_ramp(*story))
         );
     }
     return listed(texts);
@@ -122,9 +124,12 @@ gradients_by_ratio(const ByRatio& stories, study::Scatter MobilityStory::*gradie
 
 /// "a tenth at 0.60 and more than 1.20", "less than a tenth up to i = 1.20".
 std::string tenth_by_ratio(const ByRatio& stories) {
-    const auto is_never = [](const MobilityStory* story) { return story->moves_10.seeds == 0; };
+    const std::string end = end_text(*stories.front());
+    const auto is_never = [&](const MobilityStory* story) {
+        return !is_met(story->moves_10, *story) && end_text(*story) == end;
+    };
     if (std::ranges::all_of(stories, is_never)) {
-        return fmt::format("less than a tenth up to i = {:.2f}", stories.front()->one().ramp.back().gradient);
+        return "less than a tenth " + end;
     }
     return "a tenth at " + gradients_by_ratio(stories, &MobilityStory::moves_10, &MobilityStory::at_most_10);
 }

@@ -87,6 +87,26 @@ TEST_F(Surrogates, WhatNoRatioReachesIsNotRepeated) {
     EXPECT_EQ(verdict_by_ratio(study::gather_mobility(stages_))[1], "It moves less than a tenth up to i = 1.20.");
 }
 
+TEST_F(Surrogates, NoGradientIsClaimedBeyondHeaveNorThatOfOneSampleOfThree) {
+    erosion::MobilityResult reached = moved_at(0.41, 0.6), still = moved_at(0, std::nullopt);
+    reached.heave_gradient = 1.05, still.heave_gradient = 1.13;
+    still.moves_1.reset();
+    erosion::MobilityResult odd = still;
+    odd.moves_1 = 0.9, odd.moves_10 = 1.1;
+    add(4, reached);
+    const auto variant = variants_.size();
+    for (const erosion::MobilityResult& sample : {odd, still, still}) {
+        add(10, sample);
+    }
+    EXPECT_EQ(variants_.size(), variant + 3);
+    std::vector<std::string> lines = verdict_by_ratio(study::gather_mobility(stages_));
+    EXPECT_NE(lines[0].find("at i = 0.41 and none below heave (1.13) at"), std::string::npos) << lines[0];
+    EXPECT_EQ(lines[1], "It moves a tenth at 0.60 and none below heave (1.13).");
+    stages_.front().findings.mobility = still;
+    lines = verdict_by_ratio(study::gather_mobility(stages_));
+    EXPECT_EQ(lines[1], "It moves less than a tenth below heave.");
+}
+
 TEST_F(Surrogates, TheVerdictHasBothFlowsInThreeLines) {
     const casefile::Stage level{.name = "level", .spec = erosion::DetachStageSpec{}};
     for (const double ratio : {4.0, 10.0}) {

@@ -280,6 +280,23 @@ TEST_F(Verdict, DoubtsAGradientThatLiftsTheSoilAsAWhole) {
     );
 }
 
+TEST_F(Verdict, DoubtsASpecifiedGradientThatLiftsTheSoilAsAWhole) {
+    const casefile::Variant variant;
+    const casefile::Stage stage{.name = "up", .spec = erosion::DetachStageSpec{}};
+    results.stages = {{&study, &variant, &stage, {{"grains", 10}}, {}}};
+    erosion::MobilityResult& mobility = results.stages.front().findings.mobility.emplace();
+    mobility.heave_gradient = 1.14;
+    EXPECT_TRUE(open_answer(results, {}).doubts.empty()) << "no gradient is specified";
+    mobility.specified_gradient = 1.4;
+    ASSERT_EQ(open_answer(results, {}).doubts.size(), 1U);
+    EXPECT_NE(
+        open_answer(results, {})
+            .doubts.front()
+            .find("i = 1.4 is above the gradient that lifts the soil as a whole, 1.14"),
+        std::string::npos
+    );
+}
+
 TEST_F(Verdict, OfNothingYetSaysSo) {
     EXPECT_EQ(verdict(), std::vector<std::string>{"No stage is finished yet."});
     EXPECT_EQ(open_answer(results, {}).confidence, "No result yet");

@@ -124,8 +124,7 @@ void compare_with_weight(const WeighedCopy& copy, const UnitSeepage& water, doub
         }
         result.single_grain_gradient = quantile(std::move(lifting), 0.05);
     }
-    const bool is_straight_up = dot(result.direction, result.down) < -0.9999; // as in their tests
-    if (result.alpha_fines && is_straight_up) {
+    if (result.alpha_fines && is_upward(result)) { // as in their tests
         result.skempton_brogan_gradient = *result.alpha_fines * result.critical_gradient;
     }
 }

@@ -15,10 +15,7 @@ struct Between {
 
 std::optional<Between> where_reached(const MobilityResult& mobility, double share) {
     MobilityStep below; // nothing moves without flow
-    for (const MobilityStep& step : mobility.ramp) {
-        if (floats(mobility, step.gradient)) {
-            break;
-        }
+    for (const MobilityStep& step : steps_below_heave(mobility)) {
         if (step.mobile_mass_share >= share) {
             return Between{below, step};
         }
@@ -28,6 +25,10 @@ std::optional<Between> where_reached(const MobilityResult& mobility, double shar
 }
 
 } // namespace
+
+bool is_upward(const MobilityResult& mobility) {
+    return dot(mobility.down, mobility.direction) < -0.9999;
+}
 
 bool floats(const MobilityResult& mobility, double gradient) {
     return mobility.heave_gradient && gradient >= *mobility.heave_gradient;
@@ -50,9 +51,15 @@ bool is_upper_bound(const MobilityResult& mobility, double share) {
                      (is_still_growing(found->above) && found->above.gradient - found->below.gradient > known));
 }
 
+std::span<const MobilityStep> steps_below_heave(const MobilityResult& mobility) {
+    const auto end =
+        std::ranges::find_if(mobility.ramp, [&](const MobilityStep& step) { return floats(mobility, step.gradient); });
+    return {mobility.ramp.begin(), end};
+}
+
 std::optional<double> mobile_share_at(const MobilityResult& mobility, double gradient) {
     double below = 0, moved = 0;
-    for (const MobilityStep& step : mobility.ramp) {
+    for (const MobilityStep& step : steps_below_heave(mobility)) {
         if (step.gradient >= gradient) {
             const double part = step.gradient > below ? (gradient - below) / (step.gradient - below) : 1;
             return moved + part * (step.mobile_mass_share - moved);
@@ -63,9 +70,9 @@ std::optional<double> mobile_share_at(const MobilityResult& mobility, double gra
 }
 
 bool is_lower_bound(const MobilityResult& mobility, double gradient) {
-    const auto step =
-        std::ranges::find_if(mobility.ramp, [&](const MobilityStep& s) { return s.gradient >= gradient; });
-    return step != mobility.ramp.end() && is_still_growing(*step);
+    const std::span<const MobilityStep> steps = steps_below_heave(mobility);
+    const auto step = std::ranges::find_if(steps, [&](const MobilityStep& s) { return s.gradient >= gradient; });
+    return step != steps.end() && is_still_growing(*step);
 }
 
 std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
@@ -73,15 +80,18 @@ std::optional<FactorOfSafety> factor_of_safety(const MobilityResult& mobility) {
         return std::nullopt;
     }
     const double specified = *mobility.specified_gradient;
-    if (mobility.moves_1) {
+    const bool is_at_most = is_upper_bound(mobility, 0.01);
+    if (mobility.moves_1 && !is_at_most) {
         return FactorOfSafety{*mobility.moves_1 / specified, *mobility.moves_1 / specified};
     }
-    const auto below_heave =
-        std::ranges::find_if(mobility.ramp.rbegin(), mobility.ramp.rend(), [&](const MobilityStep& step) {
-            return !floats(mobility, step.gradient);
-        });
-    const double borne = below_heave == mobility.ramp.rend() ? 0 : below_heave->gradient;
-    return FactorOfSafety{std::nullopt, borne / specified};
+    double borne = 0;
+    for (const MobilityStep& step : steps_below_heave(mobility)) {
+        if (step.mobile_mass_share < 0.01 && !is_still_growing(step)) {
+            borne = step.gradient;
+        }
+    }
+    return FactorOfSafety{
+        mobility.moves_1 ? std::optional(*mobility.moves_1 / specified) : std::nullopt, borne / specified, is_at_most};
 }
 
 } // namespace suffuse::erosion

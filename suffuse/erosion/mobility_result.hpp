@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace suffuse::erosion {
@@ -68,8 +69,14 @@ struct MobilityResult {
     std::vector<std::uint8_t> bears_load; ///< 1: held
 };
 
+/// Whether the flow is straight up, within a degree.
+bool is_upward(const MobilityResult& mobility);
+
 /// Whether seepage at this gradient lifts the whole soil.
 bool floats(const MobilityResult& mobility, double gradient);
+
+/// The steps of the ramp that count: where the whole soil floats, a step is only held for a moment.
+std::span<const MobilityStep> steps_below_heave(const MobilityResult& mobility);
 
 /// The gradient at which the mobile share of the mass reaches `share`, linear between steps; nothing beyond the ramp,
 /// nor where the whole soil floats first.
@@ -78,7 +85,7 @@ std::optional<double> gradient_that_moves(const MobilityResult& mobility, double
 /// Whether that gradient is an upper bound: with a longer hold a lower one would have moved as much.
 bool is_upper_bound(const MobilityResult& mobility, double share);
 
-/// Of the mass at one gradient, linear between steps; nothing beyond the ramp.
+/// Of the mass at one gradient, linear between steps; nothing beyond the ramp, nor where the whole soil floats.
 std::optional<double> mobile_share_at(const MobilityResult& mobility, double gradient);
 
 /// Whether that share is a lower bound: with a longer hold as much or more would move.
@@ -87,7 +94,8 @@ bool is_lower_bound(const MobilityResult& mobility, double gradient);
 /// The gradient that moves 1 % of the fines over the specified one.
 struct FactorOfSafety {
     std::optional<double> factor; ///< nothing where the ramp ends before
-    double at_least = 0; ///< then it is at least this: the last step of the ramp below heave over the specified one
+    double at_least = 0;          ///< where that is none or a bound: of the last step that moves less, motion ended
+    bool is_at_most = false;      ///< as that gradient: is_upper_bound()
 };
 
 /// Nothing where no gradient is requested.

@@ -216,7 +216,9 @@ const std::vector<Fact> of_detach = {
 const std::vector<Fact> of_mobility = {
     {"mobility", "", "one object a gradient of the ramp, its refinement included, below", ""},
     {"factor_of_safety_at_least", "-",
-     "where the factor is null: the last gradient of the ramp below heave over the specified one", ""},
+     "where the factor is null: the last gradient of the ramp below heave at which motion ended, over the specified "
+     "one",
+     ""},
 };
 
 const std::vector<Fact> of_mobility_step = {

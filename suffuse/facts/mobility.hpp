@@ -119,9 +119,15 @@ inline constexpr std::tuple mobility_at_gradient{
         "asked_gradient", "-", "the specified gradient; an erosion's own is one"
     ),
     row<[](const erosion::MobilityResult& m) { return erosion::mobile_share_at(m, *m.specified_gradient); }>(
-        "mobile_mass_share_at_asked", "-", "of the fines' mass: mobile at that gradient"
+        "mobile_mass_share_at_asked", "-",
+        "of the fines' mass: mobile at that gradient; null beyond the ramp, and where the whole soil floats"
     ),
     row<&safety>("factor_of_safety", "-", "the gradient that moves 1 % over the specified one, or null"),
+    row<[](const erosion::MobilityResult& m) {
+        const auto found = erosion::factor_of_safety(m);
+        return found && found->is_at_most;
+    }>("factor_of_safety_at_most", "",
+       "whether that factor is an upper bound, as motion had not ended when the gradient rose"),
 };
 
 } // namespace suffuse::facts

@@ -2,11 +2,13 @@
 #include "suffuse/figures/figures_mobility.hpp"
 
 #include "suffuse/base/words.hpp"
+#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace suffuse::figures {
 namespace {
@@ -51,7 +53,7 @@ json marked_gradients(const MobilityStory& story) {
         mark(story.skempton_brogan.mean, "α i_c");
     }
     if (story.heave.seeds > 0) {
-        mark(story.heave.mean, "heave, i_c");
+        mark(story.heave.mean, is_upward(story.one()) ? "heave, i_c" : "heave");
     }
     return marks;
 }
@@ -119,13 +121,13 @@ std::string range_text(const SizeClasses& sizes, std::size_t k) {
     return fmt::format("{} to {}", short_number(1e3 * sizes.edge(k)), short_number(1e3 * sizes.edge(k + 1)));
 }
 
-/// Gradients at which the shares by size are shown: a few of the ramp, the specified one among them.
+/// Gradients at which the shares by size are shown: a few of the ramp below heave.
 std::vector<double> shown_gradients(const MobilityResult& mobility) {
     constexpr std::size_t most = 4;
     std::vector<double> shown;
-    const std::size_t steps = mobility.ramp.size();
-    for (std::size_t k = 1; k <= most; ++k) {
-        shown.push_back(mobility.ramp[std::max<std::size_t>(1, k * steps / most) - 1].gradient);
+    const std::span<const erosion::MobilityStep> steps = steps_below_heave(mobility);
+    for (std::size_t k = 1; k <= most && !steps.empty(); ++k) {
+        shown.push_back(steps[std::max<std::size_t>(1, k * steps.size() / most) - 1].gradient);
     }
     shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
     return shown;
@@ -156,8 +158,11 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     Figure figure;
     figure.id = "own-mobility";
     figure.section = "Water";
-    figure.title = main->specified_gradient && 2 * static_cast<std::size_t>(main->safety.seeds) > main->of_sample.size()
-                       ? fmt::format("First movement is at {:.1f} times the specified gradient", main->safety.mean)
+    figure.title = main->specified_gradient && is_met(main->safety, *main)
+                       ? fmt::format(
+                             "First movement is at {}{} times the specified gradient", main->at_most_1 ? "most " : "",
+                             study::factor_text(main->safety.mean)
+                         )
                        : "Fines that a gradient moves";
     figure.caption = fmt::format(
         "Fines count as mobile once the water has moved them half a diameter along the flow, against their weight. 1 % "
@@ -250,8 +255,11 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
         return std::nullopt;
     }
     const auto text = [](const study::Scatter& value) { return study::with_scatter(value, 1, 3); };
+    const auto bounded = [](const study::Scatter& value, bool at_most, const std::string& written) {
+        return (at_most && value.seeds > 0 ? "≤ " : "") + written;
+    };
     const auto reached = [&](const study::Scatter& value, bool at_most) {
-        return at_most && value.seeds > 0 ? "≤ " + text(value) : text(value);
+        return bounded(value, at_most, text(value));
     };
     PageTable table;
     table.section = "Water";
@@ -259,16 +267,18 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
     table.note =
         "Gradients that move 1, 10 and 50 % of the fines' mass half a diameter along the flow; a dash: not below "
         "heave, nor up to the end of the ramp; ≤: motion had not ended when the gradient rose, and a longer hold would "
-        "give less. For comparison: Terzaghi's i_c along the flow, Skempton and Brogan's α i_c with the sample's own "
-        "α, and FC i_c/s, at which the seepage force on the fines outweighs all of them.";
-    table.header = {"stage", "samples", "i, 1 %",   "i, 10 %", "i, 50 %", "i_c",
-                    "α",     "α i_c",   "FC i_c/s", "safety",  "sifts"};
+        "give less. For comparison: heave, which is Terzaghi's i_c over the sine of the flow's rise; Skempton and "
+        "Brogan's "
+        "α i_c with the sample's own α; and heave × FC/s, at which the seepage force on the fines outweighs all of "
+        "them.";
+    table.header = {"stage", "samples", "i, 1 %",       "i, 10 %", "i, 50 %", "heave",
+                    "α",     "α i_c",   "heave × FC/s", "safety",  "sifts"};
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;
     for (const MobilityStory& story : stories) {
-        std::string safety = text(story.safety);
-        if (story.safety.seeds == 0 && story.safety_at_least) {
-            safety = fmt::format("at least {:.2g}", *story.safety_at_least);
+        std::string safety = bounded(story.safety, story.at_most_1, study::factor_text(story.safety));
+        if (!is_met(story.safety, story) && story.safety_at_least) {
+            safety = "at least " + study::least_factor_text(*story.safety_at_least);
         }
         table.rows.push_back(
             {story.name, fmt::format("{}", story.of_sample.size()), reached(story.moves_1, story.at_most_1),

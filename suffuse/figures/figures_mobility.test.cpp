@@ -40,8 +40,18 @@ TEST(MobilityFigures, DrawTheCurveWithWhatOtherAnswersSay) {
     const std::string chart = figure->chart.dump();
     EXPECT_NE(chart.find("\"specified\""), std::string::npos);
     EXPECT_NE(chart.find("heave, i_c"), std::string::npos);
+    erosion::MobilityResult oblique = small_move();
+    oblique.direction = {0.8, 0, 0.6};
+    EXPECT_EQ(mobility_curves(stories_of(oblique))->chart.dump().find("i_c"), std::string::npos);
     EXPECT_TRUE(explain_figure(figure->id));
     EXPECT_FALSE(mobility_curves({}));
+}
+
+TEST(MobilityFigures, RoundNoFactorOfSafetyUpToOne) {
+    erosion::MobilityResult mobility = small_move();
+    mobility.moves_1 = 0.98 * *mobility.specified_gradient;
+    EXPECT_EQ(mobility_curves(stories_of(mobility))->title, "First movement is at 0.98 times the specified gradient");
+    EXPECT_EQ(mobility_table(stories_of(mobility))->rows.front()[9], "0.98");
 }
 
 TEST(MobilityFigures, MarkWhatWasStillGrowingWhenTheGradientRose) {
@@ -53,6 +63,11 @@ TEST(MobilityFigures, MarkWhatWasStillGrowingWhenTheGradientRose) {
     const std::string chart = mobility_curves(stories)->chart.dump();
     EXPECT_NE(chart.find("still growing"), std::string::npos);
     EXPECT_EQ(mobility_table(stories)->rows.front()[4].find("≤ 0.34"), 0U) << mobility_table(stories)->rows.front()[4];
+    creeping.moves_1 = 0.05;
+    EXPECT_EQ(
+        mobility_curves(stories_of(creeping))->title, "First movement is at most 0.50 times the specified gradient"
+    );
+    EXPECT_EQ(mobility_table(stories_of(creeping))->rows.front()[9], "≤ 0.50");
 }
 
 TEST(MobilityFigures, ReportWhichSizesMove) {
@@ -62,6 +77,10 @@ TEST(MobilityFigures, ReportWhichSizesMove) {
     const std::vector<double>& share = figure->table.numbers("share");
     ASSERT_EQ(share.size(), 4U) << "two sizes at two gradients";
     EXPECT_EQ(share, (std::vector<double>{100, 0, 100, 0}));
+    erosion::MobilityResult lifted = small_move();
+    lifted.heave_gradient = 0.3;
+    const auto below = stories_of(lifted);
+    EXPECT_EQ(mobile_sizes(study::main_mobility(below))->table.numbers("share").size(), 2U) << "0.2 alone";
     EXPECT_TRUE(explain_figure(figure->id));
     EXPECT_FALSE(mobile_sizes(nullptr));
 }

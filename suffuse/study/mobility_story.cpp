@@ -55,6 +55,10 @@ void compare_samples(MobilityStory& story) {
         story.moved_at_specified_at_least = std::ranges::any_of(story.of_sample, [](const MobilityResult* m) {
             return is_lower_bound(*m, *m->specified_gradient);
         });
+        story.lifted_at_specified =
+            static_cast<std::size_t>(std::ranges::count_if(story.of_sample, [](const MobilityResult* m) {
+                return floats(*m, *m->specified_gradient);
+            }));
     }
     double least = std::numeric_limits<double>::infinity();
     bool is_bound = false;
@@ -65,7 +69,7 @@ void compare_samples(MobilityStory& story) {
         }
         story.sifts = story.sifts || mobility->sifts;
     }
-    if (is_bound) {
+    if (is_bound && least > 0) {
         story.safety_at_least = least;
     }
 }
@@ -75,6 +79,10 @@ void compare_samples(MobilityStory& story) {
 const grains::Surrogate* MobilityStory::surrogate() const {
     const std::optional<grains::Soil>& soil = first->variant->soil;
     return soil && soil->surrogate ? &*soil->surrogate : nullptr;
+}
+
+bool is_met(const Scatter& value, const MobilityStory& story) {
+    return 2 * static_cast<std::size_t>(value.seeds) > story.of_sample.size();
 }
 
 const erosion::MobilityResult* mobility_of(const record::FinishedStage& stage) {

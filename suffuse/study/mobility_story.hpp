@@ -21,20 +21,24 @@ struct MobilityStory {
     bool at_most_1 = false, at_most_10 = false, at_most_50 = false; ///< of one sample at least it is an upper bound
     Scatter skempton_brogan, fines_heave;                           ///< gradients, likewise
     Scatter alpha_fines;                                            ///< [-]
-    Scatter safety;                           ///< factor of safety against the specified gradient [-]
+    Scatter safety;                           ///< factor of safety against the specified gradient, as moves_1 [-]
     Scatter moved_at_specified;               ///< share of the fines' mass [-]
     bool moved_at_specified_at_least = false; ///< of one sample at least it is a lower bound
     std::optional<double> specified_gradient; ///< of the first
-    std::optional<double> safety_at_least;    ///< where a ramp ends before it moves 1 %: the least of all samples
-    bool sifts = false;                       ///< in one of them at least
-    double hold_at_most = 100;                ///< of a gradient under which motion does not end, in units of time [-]
-    double moved = 0.5;                       ///< along the flow, beyond which a grain counts as mobile [diameters]
+    std::size_t lifted_at_specified = 0;      ///< samples whose whole soil floats there
+    std::optional<double> safety_at_least; ///< where a ramp ends before it moves 1 %: the least of all samples, if any
+    bool sifts = false;                    ///< in one of them at least
+    double hold_at_most = 100;             ///< of a gradient under which motion does not end, in units of time [-]
+    double moved = 0.5;                    ///< along the flow, beyond which a grain counts as mobile [diameters]
 
     [[nodiscard]] const erosion::MobilityResult& one() const { return *of_sample.front(); }
 
     /// Null where the samples are of the soil itself.
     [[nodiscard]] const grains::Surrogate* surrogate() const;
 };
+
+/// Whether more than half of the samples have it.
+bool is_met(const Scatter& value, const MobilityStory& story);
 
 /// Of the soil as it was: an erosion gives, of its passes up to the first from which fines left, the one of the highest
 /// ramp. Null where fines have no weight.
