@@ -122,20 +122,22 @@ gradients_by_ratio(const ByRatio& stories, study::Scatter MobilityStory::*gradie
     return listed(texts);
 }
 
-/// "a tenth at 0.60 and more than 1.20", "less than a tenth up to i = 1.20".
-std::string tenth_by_ratio(const ByRatio& stories) {
+/// "a tenth at 0.60 and more than 1.20", "less than a tenth up to i = 1.20" where no ratio reaches it.
+std::string moved_by_ratio(
+    const ByRatio& stories, const char* share, const char* at, study::Scatter MobilityStory::*gradient,
+    bool MobilityStory::*at_most
+) {
     const std::string end = end_text(*stories.front());
     const auto is_never = [&](const MobilityStory* story) {
-        return !is_met(story->moves_10, *story) && end_text(*story) == end;
+        return !is_met(story->*gradient, *story) && end_text(*story) == end;
     };
-    if (std::ranges::all_of(stories, is_never)) {
-        return "less than a tenth " + end;
-    }
-    return "a tenth at " + gradients_by_ratio(stories, &MobilityStory::moves_10, &MobilityStory::at_most_10);
+    return std::ranges::all_of(stories, is_never)
+               ? fmt::format("less than {} {}", share, end)
+               : fmt::format("{} at {}{}", share, at, gradients_by_ratio(stories, gradient, at_most));
 }
 
-std::string first_by_ratio(const ByRatio& stories) {
-    return gradients_by_ratio(stories, &MobilityStory::moves_1, &MobilityStory::at_most_1);
+std::string first_by_ratio(const ByRatio& stories, const char* share, const char* at) {
+    return moved_by_ratio(stories, share, at, &MobilityStory::moves_1, &MobilityStory::at_most_1);
 }
 
 } // namespace
@@ -186,11 +188,14 @@ std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stor
     const ByRatio& reported = stages.front();
     const MobilityStory& last = *reported.back();
     std::vector<std::string> lines = {fmt::format(
-        "{} moves 1 % of the fines at i = {} at size ratios of {}.", subject_of(last), first_by_ratio(reported),
+        "{} moves {} at size ratios of {}.", subject_of(last), first_by_ratio(reported, "1 % of the fines", "i = "),
         ratios_of(reported)
     )};
     if (stages.size() == 1) {
-        lines.push_back(fmt::format("It moves {}.", tenth_by_ratio(reported)));
+        lines.push_back(fmt::format(
+            "It moves {}.",
+            moved_by_ratio(reported, "a tenth", "", &MobilityStory::moves_10, &MobilityStory::at_most_10)
+        ));
     }
     const double of_soil = last.surrogate()->ratio_of_soil, largest = last.surrogate()->size_ratio;
     if (of_soil > largest) {
@@ -201,7 +206,7 @@ std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stor
     }
     for (const ByRatio& other : std::span(stages).subspan(1)) {
         lines.push_back(
-            fmt::format("{} flow moves 1 % at {}.", flow_in_words(other.back()->one()), first_by_ratio(other))
+            fmt::format("{} flow moves {}.", flow_in_words(other.back()->one()), first_by_ratio(other, "1 %", ""))
         );
     }
     return lines;

@@ -104,6 +104,8 @@ TEST_F(Surrogates, NoGradientIsClaimedBeyondHeaveNorThatOfOneSampleOfThree) {
     EXPECT_EQ(lines[1], "It moves a tenth at 0.60 and none below heave (1.13).");
     stages_.front().findings.mobility = still;
     lines = verdict_by_ratio(study::gather_mobility(stages_));
+    EXPECT_NE(lines[0].find("moves less than 1 % of the fines below heave at size ratios of 4"), std::string::npos)
+        << lines[0];
     EXPECT_EQ(lines[1], "It moves less than a tenth below heave.");
 }
 
