@@ -1,6 +1,5 @@
 #include "apps/playground.hpp"
 
-#include "suffuse/atlas/row.hpp"
 #include "suffuse/base/version.hpp"
 #include "suffuse/io/atomic_file.hpp"
 #include "suffuse/report/assess_page.hpp"
@@ -12,8 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Where the program found a soil in the atlas.
-std::optional<report::PagePlace> place_of(const json& about) {
+/// Where the program found a soil in the atlas, with what it says of this flow.
+std::optional<report::PagePlace> place_of(const json& about, const stability::FlowWay& way) {
     const json list = about.value("atlas", json::array());
     if (list.empty()) {
         return std::nullopt;
@@ -22,8 +21,8 @@ std::optional<report::PagePlace> place_of(const json& about) {
     for (const json& entry : list) {
         const bool is_inside = entry.at("inside");
         place.is_inside = place.is_inside || is_inside;
-        if (is_inside && entry.at("flow") == atlas::name_of(atlas::Flow::Up) && !entry.at("wide_fines").get<bool>()) {
-            place.upward.push_back(entry);
+        if (is_inside && entry.at("flow") == stability::name_of(way) && !entry.at("wide_fines").get<bool>()) {
+            place.simulated.push_back(entry);
         }
     }
     return place;
@@ -35,21 +34,21 @@ void write_playground(
     const std::filesystem::path& file, const std::vector<job::AssessedSoil>& soils,
     const std::optional<stability::Seepage>& seepage, const json& about
 ) {
+    report::PageSeepage begin;
+    if (seepage) {
+        begin = {seepage->gradient, seepage->porosity, seepage->grain_density, seepage->stress_share, seepage->way()};
+    }
     std::vector<report::PageSoil> shown;
     for (std::size_t k = 0; k < soils.size(); ++k) {
         const grains::Grading& measured = soils[k].measured;
         shown.push_back(
             {soils[k].name, measured.diameter, measured.passing, about[k].value("filter", json(nullptr)),
-             place_of(about[k])}
+             place_of(about[k], begin.way)}
         );
-    }
-    report::PageSeepage sliders;
-    if (seepage && seepage->way() == stability::upward) {
-        sliders = {seepage->gradient, seepage->porosity, seepage->grain_density, seepage->stress_share};
     }
     std::error_code none;
     std::filesystem::create_directories(file.parent_path(), none); // where that fails, writing says so
-    io::write_file(file, report::assess_page(shown, sliders, fmt::format("suffuse {} ({})", version(), commit())));
+    io::write_file(file, report::assess_page(shown, begin, fmt::format("suffuse {} ({})", version(), commit())));
 }
 
 } // namespace suffuse::apps

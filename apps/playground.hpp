@@ -11,7 +11,7 @@
 
 namespace suffuse::apps {
 
-/// @param seepage of its sliders, where it is upward: they know no other
+/// @param seepage what its sliders begin with, and the way of the water
 /// @param about soil_json of each
 void write_playground(
     const std::filesystem::path& file, const std::vector<job::AssessedSoil>& soils,

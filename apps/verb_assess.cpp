@@ -376,9 +376,6 @@ int AssessVerb::act(const CommandLine& line, const Console& console) const {
         write_playground(page, soils, seepage, list);
         document["page"] = page.string();
         text += "\n" + page.string();
-        if (seepage && seepage->way() != stability::upward) {
-            console.talk("the sliders of the page are of upward seepage: it does not show yours");
-        }
     }
     console.result(text);
     console.talk(next_step(first_file, soils, spec));

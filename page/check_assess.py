@@ -66,7 +66,27 @@ def check_view(program, browser, folder):
             wrong.append("the gradients are not drawn on their line")
         if 'class="cell"' not in dom or 'class="place"' not in dom or "The ring is this soil" not in dom:
             wrong.append("the map of the atlas lacks its cells or the soil")
-    return wrong + check_atlas(program, opened, folder) + check_print(program, opened, folder)
+    return wrong + check_flow(program, opened, folder) + check_atlas(program, opened, folder) + check_print(program, opened, folder)
+
+
+def check_flow(program, opened, folder):
+    """What is wrong with the page of a soil whose water does not rise, or whose gradient nobody gave."""
+    Path(folder, "at.csv").write_text("d [mm],passing [%]\n0.18,0\n0.22,17\n0.8,17\n1.3,100\n")
+    wrong = []
+    for options, shown, hidden in [
+        ("-i 0.9 --flow level --porosity 0.3 --alpha 0.3", ["of level flow", ">0.90<", ">0.30<", "no limits of level flow", "(atlas, level flow)"], ["factor of safety"]),
+        ("-i 0.9 --flow down", ["of downward flow", "no limits of downward flow"], ["factor of safety", "(atlas"]),
+        ("-i 0.5 --flow 30deg", ["of rising flow", "specified 0.50", "limits of vertical flow"], ["factor of safety"]),
+        ("-i 1.1 --flow 30deg", ["factor of safety 0.9"], []),
+        ("", ["not given", "heave 0.99", "(atlas)."], ["factor of safety", "specified", "at least"]),
+    ]:
+        subprocess.run([program, "assess", "at.csv", *options.split(), "--page", "-o", "flow.html"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+        page = Path(folder, "flow.html").as_uri()
+        dom = subprocess.run([*opened, "--dump-dom", page], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
+        text = dom.split("<script")[0]
+        wrong += [f"{options}: the page lacks “{part}”" for part in shown if part not in text]
+        wrong += [f"{options}: the page says “{part}”" for part in hidden if part.lower() in text.lower()]
+    return wrong
 
 
 def check_atlas(program, opened, folder):

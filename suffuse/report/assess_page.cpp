@@ -15,6 +15,10 @@ void put(std::string& page, std::string_view mark, std::string_view text) {
     page.replace(at, mark.size(), text);
 }
 
+nlohmann::json number_or_null(const std::optional<double>& number) {
+    return number ? nlohmann::json(*number) : nlohmann::json(nullptr);
+}
+
 /// Data within a script: no < may end it.
 std::string as_data(const nlohmann::json& data) {
     std::string text;
@@ -42,13 +46,13 @@ nlohmann::json definitions() {
     return all;
 }
 
-/// With the densities at which upward flow moves 1 % of the fines.
+/// With the densities at which the page's flow moves 1 % of the fines.
 nlohmann::json place_json(const std::optional<PagePlace>& place) {
     if (!place) {
         return nullptr;
     }
     nlohmann::json moves = nlohmann::json::array();
-    for (const nlohmann::json& entry : place->upward) {
+    for (const nlohmann::json& entry : place->simulated) {
         if (!entry.at("i1_over_ic").is_null()) {
             moves.push_back(
                 {{"density", entry.at("density")},
@@ -92,14 +96,12 @@ std::string assess_page(const std::vector<PageSoil>& soils, const PageSeepage& s
              {"place", place_json(soil.place)}}
         );
     }
-    nlohmann::json settings = {
-        {"gradient", seepage.gradient},
+    const nlohmann::json settings = {
+        {"gradient", number_or_null(seepage.gradient)},
         {"porosity", seepage.porosity},
         {"density", seepage.density},
-        {"alpha", nullptr}};
-    if (seepage.alpha) {
-        settings["alpha"] = *seepage.alpha;
-    }
+        {"alpha", number_or_null(seepage.alpha)},
+        {"flow", stability::kind_of(seepage.way)}};
     std::string page(assess_template().substr(1));
     put(page, "@PROGRAM@", program);
     put(page, "@DATA@",

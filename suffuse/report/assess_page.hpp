@@ -2,6 +2,8 @@
 // The page of `suffuse assess --page`: one offline HTML file in which a curve can be edited and what is known of the
 // soil dragged, while the criteria follow. It computes with its own script, page/src/assess.
 
+#include "suffuse/stability/flow_way.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <optional>
@@ -15,8 +17,8 @@ namespace suffuse::report {
 struct PagePlace {
     double size_ratio = 0, fines_content = 0;
     bool is_inside = false;
-    nlohmann::json upward =
-        nlohmann::json::array(); ///< entries of `assess --json` for upward flow that say something of this soil
+    nlohmann::json simulated =
+        nlohmann::json::array(); ///< entries of `assess --json` for the page's flow that say something of this soil
 };
 
 struct PageSoil {
@@ -26,10 +28,12 @@ struct PageSoil {
     std::optional<PagePlace> place = {};   ///< none: the curve has no two parts
 };
 
-/// What the sliders begin with.
+/// What the sliders begin with, and the flow that they are of.
 struct PageSeepage {
-    double gradient = 0.3, porosity = 0.40, density = 2650;
+    std::optional<double> gradient = {}; ///< none: not specified
+    double porosity = 0.40, density = 2650;
     std::optional<double> alpha = {};
+    stability::FlowWay way = stability::upward;
 };
 
 /// @param program its name and version, for the foot

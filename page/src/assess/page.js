@@ -5,11 +5,15 @@ const pageData = JSON.parse(document.getElementById("data").textContent);
 const state = { which: 0, soils: pageData.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...pageData.seepage };
 const $ = (id) => document.getElementById(id);
 const { three, escaped } = CurveChart;
+const isVertical = state.flow === "upward", lifts = isVertical || state.flow === "rising";
 const here = () => state.soils[state.which];
 const sign = {
   stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"],
   holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"],
 };
+
+/** Against a limit of vertical flow. Below it, flow that rises at an angle has none; other flow has none at all. */
+const factorOf = (limit) => (state.gradient > 0 && lifts && (isVertical || state.gradient >= limit) ? limit / state.gradient : undefined);
 
 const limitText = (c) =>
   c.limit === undefined ? "" : c.upper !== undefined ? `${three(c.limit)} to ${three(c.upper)}`
@@ -35,8 +39,12 @@ function drawChart() {
   $("printed-points").textContent = `Passing: ${soil.d.map((d, k) => `${Number((1e3 * d).toPrecision(6))} mm ${Number((100 * soil.f[k]).toPrecision(4))} %`).join(", ")}.`;
 }
 
-/** The specified gradient on one line with those that lift the fines and the soil. */
+/** Whose gradient it is: the user's of the command line, or the reader's who moved the slider. */
+const sourceOf = (i) => (i === pageData.seepage.gradient ? "specified" : "set here");
+
+/** The gradient on one line with those that lift the fines and the soil. */
 function drawGradients(found) {
+  $("gradients").toggleAttribute("hidden", !lifts);
   const width = 330, height = 62, left = 14, right = 12, line = 34, i = state.gradient;
   const most = Math.max(found.heave, i, found.fines ?? 0) * 1.12, x = (g) => left + (g / most) * (width - left - right);
   const parts = [`<rect class="fail" x="${x(found.heave)}" y="${line - 5}" width="${width - right - x(found.heave)}" height="10"/>`,
@@ -48,7 +56,7 @@ function drawGradients(found) {
     parts.push(`<path class="${kind}" stroke-width="2.5" d="M${x(g)} ${line - 9}v18"/><text class="${kind}${isRight ? " e" : ""}" x="${x(g) + (isRight ? 3 : -3)}" y="${row}">${text}</text>`);
   };
   mark(found.heave, "heave", `heave ${found.heave.toFixed(2)}`, 22);
-  if (i > 0) mark(i, "asked", `specified ${i.toFixed(2)}`, Math.abs(x(i) - x(found.heave)) < 170 && x(i) > width * 0.35 ? 10 : 22);
+  if (i > 0) mark(i, "asked", `${sourceOf(i)} ${i.toFixed(2)}`, Math.abs(x(i) - x(found.heave)) < 170 && x(i) > width * 0.35 ? 10 : 22);
   if (found.fines !== undefined) parts.push(`<path class="ax" stroke-dasharray="3 2" d="M${x(found.fines)} ${line - 9}v18"/>`);
   $("gradients").setAttribute("viewBox", `0 0 ${width} ${height}`);
   $("gradients").innerHTML = parts.join("");
@@ -57,17 +65,17 @@ function drawGradients(found) {
 /** Two numbers as a range, or one where they look alike. */
 const rangeText = (numbers, digits) => [...new Set([Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits)))].join(" to ");
 
-/** What the atlas says of the curve as given: when upward flow moves 1 % of its fines, over all densities. */
+/** What the atlas says of the curve as given: when this flow moves 1 % of its fines, over all densities. */
 function atlasWords() {
   const { place } = pageData.soils[state.which];
   if (!place || place.moves.length === 0 || here().isEdited) return [];
   const gradients = place.moves.map((node) => node.i1_over_ic * Criteria.heaveAt(state.density, node.porosity));
   const bound = place.moves.some((node) => node.at_most) ? "at most " : "", i = state.gradient;
-  return [`1 % of the fines move at <i>i</i> = ${bound}${rangeText(gradients, 2)} (atlas)${i > 0 ? `: factor of safety ${bound}${rangeText(gradients.map((g) => g / i), 1)}` : ""}.`];
+  return [`1 % of the fines move at <i>i</i> = ${bound}${rangeText(gradients, 2)} (atlas${isVertical ? "" : `, ${state.flow} flow`})${isVertical && i > 0 ? `: factor of safety ${bound}${rangeText(gradients.map((g) => g / i), 1)}` : ""}.`];
 }
 
 function words(criteria, found) {
-  const { counted, unstable } = Criteria.tally(criteria), fs = state.gradient > 0 ? found.heave / state.gradient : undefined;
+  const { counted, unstable } = Criteria.tally(criteria), fs = factorOf(found.heave);
   const lines = [counted === 0 ? "No criterion can say of this curve alone."
     : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`, ...atlasWords()];
   if (fs !== undefined) lines.push(`Factor of safety ${fs.toFixed(1)} against heave of the whole soil.`);
@@ -76,11 +84,15 @@ function words(criteria, found) {
 
 function drawSafety(found) {
   const i = state.gradient, text = [];
-  text.push(`Heave at <i>i</i> = ${found.heave.toFixed(2)}${i > 0 ? `: <b>factor of safety ${(found.heave / i).toFixed(1)}</b>` : ""}.`);
-  if (found.fines !== undefined) {
-    text.push(`Fines leave at α<i>i</i><sub>c</sub> = ${found.fines.toFixed(2)} (α ${three(found.share)})${i > 0 ? `: <b class="${found.fines < i ? "no" : "ok"}">factor of safety ${(found.fines / i).toFixed(1)}</b>` : ""}.`);
+  const factor = (limit, kind) => (factorOf(limit) === undefined ? "" : `: <b${kind}>factor of safety ${factorOf(limit).toFixed(1)}</b>`);
+  if (!lifts) {
+    text.push(`Only upward flow lifts grains: heave and α<i>i</i><sub>c</sub> are no limits of ${state.flow} flow.`);
   } else {
-    text.push(`α of the fines is not known: they hold where it is at least ${three(found.needed)}.`);
+    text.push(`Heave at <i>i</i> = ${found.heave.toFixed(2)}${factor(found.heave, "")}.`);
+    text.push(found.fines !== undefined
+      ? `Fines leave at α<i>i</i><sub>c</sub> = ${found.fines.toFixed(2)} (α ${three(found.share)})${factor(found.fines, ` class="${found.fines < i ? "no" : "ok"}"`)}.`
+      : `α of the fines is not known${i > 0 ? `: they stay in place only where it is at least ${three(found.needed)}` : ""}.`);
+    if (!isVertical) text.push(`Both are limits of vertical flow: ${state.flow} flow moves grains at lower gradients, too.`);
   }
   $("safety").innerHTML = text.map((t) => `<p>${t}</p>`).join("");
 }
@@ -140,13 +152,16 @@ function draw(keepText) {
   if (!keepText) $("points").value = here().d.map((d, k) => `${Number((1e3 * d).toPrecision(6))}\t${Number((100 * here().f[k]).toPrecision(6))}`).join("\n");
   for (const name of ["alpha", "porosity", "density", "gradient"]) {
     const value = state[name];
-    $(`${name}-text`).textContent = value === null || value === undefined ? "not known" : name === "density" || name === "alpha" ? three(value) : value.toFixed(2);
+    $(`${name}-text`).textContent = value === null || value === undefined ? (name === "gradient" ? "not given" : "not known") : name === "density" || name === "alpha" ? three(value) : value.toFixed(2);
     if (value !== null && value !== undefined) $(name).value = value;
   }
   const isKnown = state.alpha !== null && state.alpha !== undefined; // a slider stands somewhere all the same
   $("alpha-row").classList.toggle("unset", !isKnown);
   $("alpha-note").textContent = isKnown ? "given" : "drag to set";
   $("unknown").hidden = !isKnown;
+  $("gradient-row").classList.toggle("unset", state.gradient === null);
+  $("gradient-name").innerHTML = isVertical ? "Upward gradient <i>i</i>" : `Gradient <i>i</i> of ${state.flow} flow`;
+  $("gradient-note").textContent = state.gradient === null ? "drag to set" : sourceOf(state.gradient);
 }
 
 /** A pasted or typed table: two numbers a line, the size in mm, percent passing; headings and comments are no lines. */
