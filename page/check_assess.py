@@ -157,7 +157,7 @@ def main():
             pairs = [(criterion[key], other.get(key)) for key in ("value", "measured", "limit", "upper")]
             if criterion["verdict"] == "cannot say" or criterion["value"] is None:
                 pairs = pairs[:2]  # a limit is shown, and never used
-            if criterion["verdict"] != other["verdict"] or not all(same(a, b) for a, b in pairs):
+            if any(criterion[key] != other[key] for key in ("verdict", "verified")) or not all(same(a, b) for a, b in pairs):
                 wrong.append(f"{soil['soil']} {criterion['id']}: {criterion} and on the page {other}")
         heave, fines = soil["gradients"]
         compared += 2

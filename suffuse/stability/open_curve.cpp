@@ -100,6 +100,8 @@ std::string verdicts_by_end(const std::vector<Assessment>& completed, std::size_
 /// What one criterion says of all completions.
 Criterion agree(const std::vector<Assessment>& completed, std::size_t which, const std::string& missing) {
     Criterion criterion = completed.front().criteria[which];
+    criterion.verified =
+        std::ranges::all_of(completed, [which](const Assessment& other) { return other.criteria[which].verified; });
     bool same_verdict = true, same_value = true, same_measure = true, same_limit = true;
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (const Assessment& other : completed) {

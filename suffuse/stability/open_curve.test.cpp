@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace suffuse::stability {
 namespace {
@@ -123,6 +124,20 @@ TEST(OpenCurve, MixesNeitherMeasuresNorLimits) {
     EXPECT_EQ(mixed.measure, "");
     EXPECT_FALSE(mixed.value || mixed.limit);
     EXPECT_EQ(mixed.remark, "the measure and its limit depend on the 40 % below 0.06 mm, the verdict does not");
+}
+
+TEST(OpenCurve, AVerdictIsVerifiedOnlyIfThatOfEveryCompletionIs) {
+    // P below 0.063 mm is 0 where the fines end sharply, below 0.08 mm, and 9 to 10 % in other completions.
+    const Grading silty{{0.08e-3, 0.16e-3, 0.32e-3, 0.64e-3, 5e-3, 20e-3}, {0.1, 0.133, 0.166, 0.2, 0.6, 1}, ""};
+    const Grading sandy{{0.2e-3, 0.4e-3, 0.8e-3, 1.6e-3, 5e-3, 20e-3}, {0.02, 0.12, 0.153, 0.186, 0.6, 1}, ""};
+    for (const auto& [open, is_verified] : {std::pair(silty, false), {sandy, true}}) {
+        for (const Grading& completed : complete_ends(open)) {
+            EXPECT_EQ(one(assess(completed), "chang-zhang-2013").verdict, Verdict::Unstable);
+        }
+        const Criterion found = one(assess_measured(open), "chang-zhang-2013");
+        EXPECT_EQ(found.verdict, Verdict::Unstable);
+        EXPECT_EQ(found.verified, is_verified);
+    }
 }
 
 TEST(OpenCurve, NoCompletionThatWasTriedContradictsAVerdict) {

@@ -192,7 +192,7 @@ const Criteria = (() => {
     return all[0].map((sharp, k) => {
       const others = all.map((list) => list[k]), isOne = (key) => others.every((c) => same(c[key], sharp[key]));
       const sameMeasure = others.every((c) => c.measure === sharp.measure), sameLimit = isOne("limit") && isOne("upper");
-      const first = { ...sharp };
+      const first = { ...sharp, verified: others.every((c) => c.verified) };
       const sameVerdict = others.every((c) => c.verdict === first.verdict);
       const sameValue = others.every((c) => same(c.value, first.value));
       if (sameVerdict && sameValue) return first;
