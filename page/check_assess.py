@@ -91,13 +91,23 @@ def check_flow(program, opened, folder):
 
 def check_atlas(program, opened, folder):
     """What is wrong with the headline of a soil within the atlas: other gradients than those of `assess --json`."""
-    Path(folder, "within.csv").write_text("d [mm],passing [%]\n0.1385,0\n0.1692,12\n0.9,12\n1.1,100\n")
+    wrong = []
+    for fines, sizes in ("12", "0.1385 0.1692 0.9 1.1"), ("31", "0.095238 0.105 0.380952 0.42"):  # not all samples around the second move
+        wrong += check_headline(program, opened, folder, sizes.split(), fines)
+    return wrong
+
+
+def check_headline(program, opened, folder, sizes, fines):
+    """What is wrong with the headline of a soil of two fractions."""
+    Path(folder, "within.csv").write_text("d [mm],passing [%]\n" + "".join(f"{d},{f}\n" for d, f in zip(sizes, ["0", fines, fines, "100"])))
     command = [program, "assess", "within.csv", "-i", "0.3", "--page", "-o", "within.html", "--json"]
     soil = json.loads(subprocess.run(command, cwd=folder, check=True, stdout=subprocess.PIPE).stdout)["soils"][0]
     page = Path(folder, "within.html").as_uri()
     dom = subprocess.run([*opened, "--dump-dom", page], check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, timeout=300, text=True).stdout
-    ours = sorted(entry["i1"] for entry in soil["atlas"] if entry["flow"] == "up" and entry["inside"])
-    gradients, factors = f"{ours[0]:.2f} to {ours[-1]:.2f} (atlas)", f"safety {ours[0] / 0.3:.1f} to {ours[-1] / 0.3:.1f}."
+    entries = [entry for entry in soil["atlas"] if entry["flow"] == "up" and entry["inside"]]
+    ours = sorted(entry["i1"] or entry["lower_bounds"]["i1"] for entry in entries)
+    least = "at least " if any(entry["i1"] is None for entry in entries) else ""
+    gradients, factors = f"{ours[0]:.2f} to {least}{ours[-1]:.2f} (atlas)", f"safety {ours[0] / 0.3:.1f} to {least}{ours[-1] / 0.3:.1f}."
     return [] if gradients in dom and factors in dom else [f"the headline lacks “{gradients}” or “{factors}”"]
 
 

@@ -8,7 +8,7 @@ const criterion = { name: "K & L", remark: "at <d>", verified: true, value: 4, m
 const found = {
   tally: { stable: 1, transition: 0, unstable: 1 }, criteria: [criterion, { ...criterion, value: null, limit: null, stable_if: "", verdict: "cannot say" }], gradients: [{ ...criterion, id: "terzaghi", value: 0.3, limit: 0.99 }],
   seepage: { gradient: 0.3, flow: "up" }, sizes: { d10: null, d50: 1e-3, d60: 2e-3 }, uniformity: null, filter: null,
-  atlas: [{ density: "loose", flow: "up", inside: true, wide_fines: false, porosity: 0.4, i1: 0.33, i10: null, i1_at_most: false, i10_at_most: false, size_ratio: 4, fines_content: 0.2 }],
+  atlas: [{ density: "loose", flow: "up", inside: true, wide_fines: false, porosity: 0.4, i1: 0.33, i10: null, i1_at_most: false, i10_at_most: false, lower_bounds: { i1: null, i10: 0.9 }, size_ratio: 4, fines_content: 0.2 }],
 };
 
 test("bytes are decoded as the program does: UTF-16 by its mark, UTF-8, else Windows-1252; what is no text is empty", () => {
@@ -32,7 +32,10 @@ test("the answer in words and tables, with what is not known, and names escaped"
   const html = answerTables({ ...found, filter: { criteria: [] } }, "<b>");
   assert.match(html, /K &amp; L<small>at &lt;d&gt;/);
   assert.match(html, /The filter &lt;b&gt;/);
-  assert.match(html, /0\.33<\/td><td class="n">–/);
+  assert.match(html, /0\.33<\/td><td class="n">≥ 0\.9/);
+  const dense = { ...found.atlas[0], i1: null, lower_bounds: { i1: 0.66, i10: null } };
+  assert.equal(verdictLines({ ...found, atlas: [...found.atlas, dense] }, "")[1], "1 % of the fines move at i = 0.33 to at least 0.66 (atlas): factor of safety 1.1 to at least 2.2.");
+  assert.match(answerTables({ ...found, atlas: [dense] }, ""), /≥ 0\.66<\/td><td class="n">–/);
   assert.match(html, /d10 \?, d50 1, d60 2 mm; Cu \?/);
   assert.equal(curveNotes({ f: [0.1, 1], isEdited: true }, { gap: { from: 4e-4, to: 9e-4 } }, null), "The curve was edited here. Shaded: the gap, 0.4 to 0.9 mm. 10 % is finer than the last size.");
 });

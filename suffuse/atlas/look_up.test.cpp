@@ -95,8 +95,37 @@ TEST(Atlas, AnUpperBoundStaysOneAndAGradientThatWasNotReachedIsNone) {
     const Found inside = look_up_loose(rows, 6, 0.15);
     EXPECT_TRUE(inside.node->moves_1->is_at_most);
     EXPECT_FALSE(inside.node->moves_10);
+    EXPECT_FALSE(inside.node->least_1.gradient) << "it has an upper bound alone";
     EXPECT_FALSE(look_up_loose(rows, 4, 0.2).node->moves_1->is_at_most) << "another node";
     EXPECT_TRUE(look_up_loose(rows, 4, 0.2).node->moves_10);
+}
+
+TEST(Atlas, WhereOneNodeDidNotReachAGradientItIsAtLeastWhatTheRampsSay) {
+    std::vector<Row> rows = {row_at(4, 0.1, 0.25), row_at(4, 0.2, 0.2)}; // i_c = 1 ends the ramp before 1.2
+    rows[1].moves_1.gradient.reset();
+    const Node between = *look_up_loose(rows, 4, 0.15).node, reached = *look_up_loose(rows, 4, 0.1).node;
+    EXPECT_FALSE(between.moves_1);
+    EXPECT_TRUE(between.least_1.is_reached);
+    EXPECT_NEAR(between.least_1.gradient.value(), std::sqrt(0.25 * 1), 1e-12);
+    EXPECT_NEAR(reached.least_1.gradient.value(), 0.25, 1e-12);
+    rows[0].moves_1.gradient.reset();
+    rows[0].heave = 2; // then 1.2 does
+    const Node nowhere = *look_up_loose(rows, 4, 0.15).node;
+    EXPECT_FALSE(nowhere.least_1.is_reached);
+    EXPECT_NEAR(nowhere.least_1.gradient.value(), std::sqrt(0.6), 1e-12);
+    rows[0].flow = Flow::Level, rows[0].heave.reset();
+    EXPECT_DOUBLE_EQ(last_gradient(rows[0]), 0.9);
+}
+
+TEST(Atlas, OfSamplesOfOneNodeThatDidNotAllReachAGradientTheMeanIsAFloor) {
+    std::vector<Row> rows = {row_at(4, 0.1, 0.2), row_at(4, 0.1, 0.4, 2)};
+    rows[0].moves_1.gradient.reset();
+    const Node node = *look_up_loose(rows, 4, 0.1).node;
+    EXPECT_FALSE(node.moves_1);
+    EXPECT_TRUE(node.least_1.is_reached);
+    EXPECT_NEAR(node.least_1.gradient.value(), (1 + 0.4) / 2, 1e-12);
+    rows[1].moves_1.is_at_most = true;
+    EXPECT_FALSE(look_up_loose(rows, 4, 0.1).node->least_1.gradient) << "bounds to both sides bound nothing";
 }
 
 TEST(Atlas, AGradientOfZeroLeavesNumbers) {

@@ -27,6 +27,21 @@ std::optional<Value> gradient_of(const std::vector<Row>& rows, Threshold Row::*t
     return value;
 }
 
+Floor floor_of(const std::vector<Row>& rows, Threshold Row::*threshold) {
+    Floor floor{0, false};
+    for (const Row& row : rows) {
+        const Threshold& found = row.*threshold;
+        floor.is_reached = floor.is_reached || found.gradient;
+        if (found.is_at_most) {
+            floor.gradient.reset();
+        } else if (floor.gradient) {
+            const double over_heave = found.gradient.value_or(last_gradient(row)) / heave_gradient(row);
+            *floor.gradient += over_heave / static_cast<double>(rows.size());
+        }
+    }
+    return floor;
+}
+
 Node node_of(std::vector<Row> rows) {
     std::vector<double> porosities, alphas;
     for (const Row& row : rows) {
@@ -40,6 +55,8 @@ Node node_of(std::vector<Row> rows) {
     node.alpha = over_seeds(alphas);
     node.moves_1 = gradient_of(rows, &Row::moves_1);
     node.moves_10 = gradient_of(rows, &Row::moves_10);
+    node.least_1 = floor_of(rows, &Row::moves_1);
+    node.least_10 = floor_of(rows, &Row::moves_10);
     node.rows = std::move(rows);
     return node;
 }
@@ -73,6 +90,22 @@ std::optional<Value> blend_gradient(const std::vector<WeightedNode>& nodes, std:
     }
     const double mean = std::exp(logarithm);
     return Value{mean, scatter ? std::optional(*scatter * mean) : std::nullopt, is_at_most};
+}
+
+Floor blend_floor(const std::vector<WeightedNode>& nodes, Floor Node::*threshold) {
+    std::optional<double> logarithm = 0;
+    Floor blended;
+    for (const auto& [node, weight] : nodes) {
+        const Floor& floor = node->*threshold;
+        blended.is_reached = blended.is_reached || floor.is_reached;
+        logarithm = logarithm && floor.gradient
+                        ? std::optional(*logarithm + weight * std::log(std::max(*floor.gradient, least_gradient)))
+                        : std::nullopt;
+    }
+    if (logarithm) {
+        blended.gradient = std::exp(*logarithm);
+    }
+    return blended;
 }
 
 } // namespace
@@ -123,6 +156,8 @@ Node blend(const std::vector<WeightedNode>& nodes) {
     blended.alpha = blend_alpha(nodes);
     blended.moves_1 = blend_gradient(nodes, &Node::moves_1);
     blended.moves_10 = blend_gradient(nodes, &Node::moves_10);
+    blended.least_1 = blend_floor(nodes, &Node::least_1);
+    blended.least_10 = blend_floor(nodes, &Node::least_10);
     return blended;
 }
 

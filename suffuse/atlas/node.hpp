@@ -15,6 +15,7 @@ struct Node {
     double porosity = 0;      ///< [-]
     Value alpha;              ///< [-]
     std::optional<Value> moves_1, moves_10;
+    Floor least_1, least_10;
     std::vector<Row> rows; ///< one a seed
 };
 
@@ -33,7 +34,7 @@ struct WeightedNode {
 std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::vector<Corner>& corners);
 
 /// Between nodes: porosity and alpha linear, gradients linear in their logarithm, as they span decades. An upper bound
-/// of one node makes the result one.
+/// of one node makes the result one. Where a node did not reach a gradient, only its floor is known.
 Node blend(const std::vector<WeightedNode>& nodes);
 
 } // namespace suffuse::atlas

@@ -71,6 +71,11 @@ double heave_gradient(const Row& row) {
     return row.heave.value_or(buoyant * (1 - row.porosity));
 }
 
+double last_gradient(const Row& row) {
+    constexpr double upward = 1.2, level = 0.9; // validation/atlas.toml
+    return row.flow == Flow::Up ? std::min(upward, heave_gradient(row)) : level;
+}
+
 std::vector<Row> parse_rows(std::string_view csv) {
     const std::vector<Cells> lines = parse_table(csv);
     std::vector<Row> rows;

@@ -42,6 +42,9 @@ struct Row {
 /// i_c = (Gs - 1)(1 - n), of a row of level flow too: what gradients of different soils are compared by.
 double heave_gradient(const Row& row);
 
+/// The highest gradient of a row's ramp: what was not reached needs more. Upward flow rises no higher than i_c.
+double last_gradient(const Row& row);
+
 /// The columns may come in any order. @throws CaseError with the line where a cell is missing or is no number.
 std::vector<Row> parse_rows(std::string_view csv);
 

@@ -12,6 +12,12 @@ struct Value {
     bool is_at_most = false;         ///< an upper bound, as that of one sample at least is
 };
 
+/// What a gradient is at least, of samples some of which may not have reached it.
+struct Floor {
+    std::optional<double> gradient; ///< none: not known, because of other samples there are upper bounds alone
+    bool is_reached = false;        ///< by one sample at least
+};
+
 /// @pre some samples
 Value over_seeds(const std::vector<double>& samples);
 

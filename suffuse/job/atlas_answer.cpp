@@ -77,6 +77,11 @@ json deviation_json(const std::optional<atlas::Value>& value) {
     return value ? or_null(value->deviation) : json(nullptr);
 }
 
+/// What a gradient is at least that is not known.
+json floor_json(const std::optional<atlas::Value>& value, const atlas::Floor& floor, double factor = 1) {
+    return value || !floor.gradient ? json(nullptr) : json(factor * *floor.gradient);
+}
+
 json row_json(const atlas::Row& row) {
     return {
         {"ratio", row.size_ratio},
@@ -113,6 +118,11 @@ json found_json(const TwoParts& parts, const atlas::Found& found, const AtlasFlo
         {"i10", value_json(node.moves_10, heave)},
         {"i1_at_most", node.moves_1 && node.moves_1->is_at_most},
         {"i10_at_most", node.moves_10 && node.moves_10->is_at_most},
+        {"lower_bounds",
+         {{"i1_over_ic", floor_json(node.moves_1, node.least_1)},
+          {"i10_over_ic", floor_json(node.moves_10, node.least_10)},
+          {"i1", floor_json(node.moves_1, node.least_1, heave)},
+          {"i10", floor_json(node.moves_10, node.least_10, heave)}}},
         {"seeds", is_inside ? json(found.seeds()) : json(nullptr)},
         {"deviation",
          {{"alpha", is_inside ? or_null(node.alpha.deviation) : json(nullptr)},

@@ -42,10 +42,13 @@ double heave_of(const Node& node, const Seepage& seepage) {
 }
 
 /// Ramps know a gradient to 0.01.
-std::string gradient_text(const std::optional<Value>& over_heave, double heave) {
+std::string gradient_text(const std::optional<Value>& over_heave, const atlas::Floor& floor, double heave) {
     constexpr double known_to = 0.01;
-    if (!over_heave) {
+    if (!over_heave && !floor.is_reached) {
         return "not reached";
+    }
+    if (!over_heave) {
+        return floor.gradient ? fmt::format(">= {:.2f}", heave * *floor.gradient) : "not known";
     }
     const double gradient = heave * over_heave->mean;
     return gradient < known_to ? "< 0.01" : fmt::format("{}{:.2f}", over_heave->is_at_most ? "<= " : "", gradient);
@@ -76,8 +79,8 @@ figures::PageTable table_of(const AtlasAnswer& answer, const Seepage& seepage) {
             if (const std::optional<Node> node = shown_node(found, is_soil_inside)) {
                 row[1] = fmt::format("{:.2f}", node->porosity);
                 row[2] = fmt::format("{:.2g}", node->alpha.mean);
-                *(row.end() - 2) = gradient_text(node->moves_1, heave_of(*node, seepage));
-                row.back() = gradient_text(node->moves_10, heave_of(*node, seepage));
+                *(row.end() - 2) = gradient_text(node->moves_1, node->least_1, heave_of(*node, seepage));
+                row.back() = gradient_text(node->moves_10, node->least_10, heave_of(*node, seepage));
             }
         }
     }
@@ -110,17 +113,20 @@ const char* words_of(Moved moved) {
 }
 
 Moved moved_at(const Node& node, const Seepage& seepage) {
+    const double heave = heave_of(node, seepage);
     const auto reaches = [&](const std::optional<Value>& value) {
-        return value && seepage.gradient >= heave_of(node, seepage) * value->mean;
+        return value && seepage.gradient >= heave * value->mean;
     };
-    const auto may_be_lower = [](const std::optional<Value>& value) { return !value || value->is_at_most; };
+    const auto stays_below = [&](const atlas::Floor& floor) {
+        return floor.gradient && seepage.gradient < heave * *floor.gradient;
+    };
     if (reaches(node.moves_10)) {
         return Moved::From10;
     }
     if (reaches(node.moves_1)) {
-        return may_be_lower(node.moves_10) ? Moved::From1 : Moved::From1To10;
+        return stays_below(node.least_10) ? Moved::From1To10 : Moved::From1;
     }
-    return may_be_lower(node.moves_1) ? Moved::Unknown : Moved::Below1;
+    return stays_below(node.least_1) ? Moved::Below1 : Moved::Unknown;
 }
 
 /// "upward flow moves 10 % or more (loose), 1 to 10 % (dense)"; empty where nothing is inside.

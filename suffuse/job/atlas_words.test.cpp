@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suffuse::job {
 namespace {
@@ -105,6 +106,34 @@ TEST(AtlasAnswer, BoundsSiftingAndScatterAreReported) {
     // 0.2 and 0.24: a deviation of 0.028 about 0.22
     EXPECT_TRUE(has(words.notes, "scatter among 2 samples: upward 13 % and 0 %")) << words.notes[1];
     EXPECT_TRUE(has(words.notes, "fall through the skeleton by themselves: up to 4 % of their mass (loose)"));
+}
+
+TEST(AtlasAnswer, AGradientThatOnlySomeSamplesReachedIsALowerBound) {
+    std::vector<Row> rows;
+    for (const double ratio : {4.0, 6.25}) {
+        for (const double fines : {0.1, 0.2}) {
+            rows.push_back(row_at(ratio, fines, 0.25));
+        }
+    }
+    rows.back().moves_1.gradient.reset(), rows.back().moves_10.gradient.reset();
+    const stability::AssessSpec spec = spec_at(0.3, stability::upward);
+    const AtlasWords words = words_of(rows, 0.15, spec);
+    EXPECT_EQ(words.table->rows[0][3], ">= 0.35"); // a quarter of the corners at i_c = 1
+    EXPECT_EQ(words.table->rows[0][4], ">= 0.59");
+    EXPECT_TRUE(has(words.notes, "upward flow moves less than 1 % (loose)")) << words.notes[0];
+    EXPECT_TRUE(has(words_of(rows, 0.15, spec_at(0.4, stability::upward)).notes, "an unknown share (loose)"));
+    const auto entry = atlas_json(consult_atlas(gap_of(0.15), spec, rows), spec)[0];
+    EXPECT_TRUE(entry["i1"].is_null());
+    EXPECT_NEAR(entry["lower_bounds"]["i1"].get<double>(), std::sqrt(std::sqrt(0.25 * 0.25 * 0.25)), 1e-12);
+
+    rows.front().moves_1.is_at_most = true;
+    EXPECT_EQ(words_of(rows, 0.15, spec).table->rows[0][3], "not known");
+    for (Row& row : rows) {
+        row.moves_1 = {}, row.moves_10 = {};
+    }
+    const AtlasWords none = words_of(rows, 0.15, spec);
+    EXPECT_EQ(none.table->rows[0][3], "not reached");
+    EXPECT_TRUE(has(none.notes, "upward flow moves less than 1 % (loose)")) << "as the ramps went up to i_c";
 }
 
 TEST(AtlasAnswer, CallsItsGradientsTooHighForWideFines) {

@@ -53,12 +53,16 @@ nlohmann::json place_json(const std::optional<PagePlace>& place) {
     }
     nlohmann::json moves = nlohmann::json::array();
     for (const nlohmann::json& entry : place->simulated) {
-        if (!entry.at("i1_over_ic").is_null()) {
+        const bool is_at_least = entry.at("i1_over_ic").is_null();
+        const nlohmann::json& gradient =
+            is_at_least ? entry.at("lower_bounds").at("i1_over_ic") : entry.at("i1_over_ic");
+        if (!gradient.is_null()) {
             moves.push_back(
                 {{"density", entry.at("density")},
                  {"porosity", entry.at("porosity")},
-                 {"i1_over_ic", entry.at("i1_over_ic")},
-                 {"at_most", entry.at("i1_at_most")}}
+                 {"i1_over_ic", gradient},
+                 {"at_most", entry.at("i1_at_most")},
+                 {"at_least", is_at_least}}
             );
         }
     }
@@ -75,8 +79,9 @@ nlohmann::json atlas_nodes() {
                 {{"ratio", node.size_ratio},
                  {"fines", node.fines_content},
                  {"density", atlas::name_of(density)},
-                 {"i1", node.moves_1 ? nlohmann::json(node.moves_1->mean) : nlohmann::json(nullptr)},
-                 {"at_most", node.moves_1 && node.moves_1->is_at_most}}
+                 {"i1", node.moves_1 ? nlohmann::json(node.moves_1->mean) : number_or_null(node.least_1.gradient)},
+                 {"at_most", node.moves_1 && node.moves_1->is_at_most},
+                 {"at_least", !node.moves_1}}
             );
         }
     }

@@ -23,7 +23,7 @@ const AtlasMap = (() => {
       const column = contents.indexOf(node.fines), row = ratios.indexOf(node.ratio), value = node.i1;
       const shade = value === null ? 0.03 : 0.06 + 0.4 * Math.min(value, 1);
       parts.push(`<rect class="cell" fill-opacity="${shade.toFixed(3)}" x="${x(column) - cell.width / 2}" y="${y(row) - cell.height / 2}" width="${cell.width}" height="${cell.height}"/>`,
-        `<text class="m" x="${x(column)}" y="${y(row) + 4.5}">${value === null ? "–" : `${node.at_most ? "≤ " : ""}${value.toFixed(2)}`}</text>`);
+        `<text class="m" x="${x(column)}" y="${y(row) + 4.5}">${value === null ? "–" : `${node.at_most ? "≤ " : node.at_least ? "≥ " : ""}${value.toFixed(2)}`}</text>`);
     }
     ratios.forEach((ratio, k) => parts.push(`<text class="e" x="${left - 8}" y="${y(k) + 4.5}">${ratio}</text>`));
     contents.forEach((content, k) => parts.push(`<text class="m" x="${x(k)}" y="${height - bottom + 17}">${Number((100 * content).toPrecision(3))} %</text>`));

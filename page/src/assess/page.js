@@ -62,16 +62,20 @@ function drawGradients(found) {
   $("gradients").innerHTML = parts.join("");
 }
 
-/** Two numbers as a range, or one where they look alike. */
-const rangeText = (numbers, digits) => [...new Set([Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits)))].join(" to ");
+/** "0.24 to at least 0.68": a range of numbers some of which may be bounds, or one number where its ends look alike. */
+const rangeText = (numbers, bounds, digits) => {
+  const [low, high] = [Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits));
+  const most = bounds.some((b) => b.at_most) ? "at most " : "", least = bounds.some((b) => b.at_least) ? "at least " : "";
+  return low !== high ? `${most}${low} to ${least}${high}` : most && least ? `about ${low}` : `${most}${least}${low}`;
+};
 
 /** What the atlas says of the curve as given: when this flow moves 1 % of its fines, over all densities. */
 function atlasWords() {
   const { place } = pageData.soils[state.which];
   if (!place || place.moves.length === 0 || here().isEdited) return [];
   const gradients = place.moves.map((node) => node.i1_over_ic * Criteria.heaveAt(state.density, node.porosity));
-  const bound = place.moves.some((node) => node.at_most) ? "at most " : "", i = state.gradient;
-  return [`1 % of the fines move at <i>i</i> = ${bound}${rangeText(gradients, 2)} (atlas${isVertical ? "" : `, ${state.flow} flow`})${isVertical && i > 0 ? `: factor of safety ${bound}${rangeText(gradients.map((g) => g / i), 1)}` : ""}.`];
+  const range = (numbers, digits) => rangeText(numbers, place.moves, digits), i = state.gradient;
+  return [`1 % of the fines move at <i>i</i> = ${range(gradients, 2)} (atlas${isVertical ? "" : `, ${state.flow} flow`})${isVertical && i > 0 ? `: factor of safety ${range(gradients.map((g) => g / i), 1)}` : ""}.`];
 }
 
 function words(criteria, found) {

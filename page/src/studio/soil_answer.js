@@ -10,21 +10,27 @@ const table = (title, head, rows, numbers = [1]) => `<h2>${title}</h2><div class
 
 function atlasTable(entries) {
   if (!entries?.length) return "";
-  const number = (value, atMost) => (Number.isFinite(value) ? `${atMost ? "≤ " : ""}${three(value)}` : "–");
-  const rows = entries.map((e) => `<tr><td>${escaped(e.density)}, flow ${escaped(e.flow)}<small>${e.inside ? `porosity ${three(e.porosity)}` : "outside the atlas"}</small></td><td class="n">${number(e.i1, e.i1_at_most)}</td><td class="n">${number(e.i10, e.i10_at_most)}</td></tr>`);
+  const number = (value, atMost, least) => (Number.isFinite(value) ? `${atMost ? "≤ " : ""}${three(value)}` : Number.isFinite(least) ? `≥ ${three(least)}` : "–");
+  const rows = entries.map((e) => `<tr><td>${escaped(e.density)}, flow ${escaped(e.flow)}<small>${e.inside ? `porosity ${three(e.porosity)}` : "outside the atlas"}</small></td><td class="n">${number(e.i1, e.i1_at_most, e.lower_bounds.i1)}</td><td class="n">${number(e.i10, e.i10_at_most, e.lower_bounds.i10)}</td></tr>`);
   const { size_ratio: ratio, fines_content: content } = entries[0];
   return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows, [1, 2])}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
+}
+
+/** "0.24 to at least 0.68": a range of numbers some of which may be bounds, or one number where its ends look alike. */
+function rangeText(numbers, bounds, digits) {
+  const [low, high] = [Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits));
+  const most = bounds.some((b) => b.i1_at_most) ? "at most " : "", least = bounds.some((b) => b.i1 === null) ? "at least " : "";
+  return low !== high ? `${most}${low} to ${least}${high}` : most && least ? `about ${low}` : `${most}${least}${low}`;
 }
 
 /** The answer in a few sentences. */
 export function verdictLines(found, filterName) {
   const { stable, transition, unstable } = found.tally, counted = stable + transition + unstable, i = found.seepage?.gradient;
   const lines = [counted === 0 ? "No criterion can say of this curve alone." : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`];
-  const moves = (found.atlas ?? []).filter((e) => e.inside && !e.wide_fines && e.flow === found.seepage?.flow && Number.isFinite(e.i1));
+  const moves = (found.atlas ?? []).filter((e) => e.inside && !e.wide_fines && e.flow === found.seepage?.flow && Number.isFinite(e.i1 ?? e.lower_bounds.i1));
   if (moves.length && i > 0) {
-    const all = moves.map((e) => e.i1), range = [...new Set([Math.min(...all), Math.max(...all)].map((x) => x.toFixed(2)))].join(" to ");
-    const most = moves.some((e) => e.i1_at_most) ? "at most " : "", safety = [...new Set([Math.min(...all) / i, Math.max(...all) / i].map((x) => x.toFixed(1)))].join(" to ");
-    lines.push(`1 % of the fines move at i = ${most}${range} (atlas): factor of safety ${most}${safety}.`);
+    const all = moves.map((e) => e.i1 ?? e.lower_bounds.i1);
+    lines.push(`1 % of the fines move at i = ${rangeText(all, moves, 2)} (atlas): factor of safety ${rangeText(all.map((g) => g / i), moves, 1)}.`);
   }
   const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
   if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
