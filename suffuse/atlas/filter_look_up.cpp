@@ -11,10 +11,6 @@
 namespace suffuse::atlas {
 namespace {
 
-/// Of a ratio of sizes. Sizes are given with two or three digits, which move it by that much; and a ratio that is
-/// farther outside still differs in the three digits that are printed.
-constexpr double read_error = 0.01;
-
 FilterNode filter_node_of(std::vector<FilterRow> rows) {
     std::vector<double> passed;
     FilterNode node;
@@ -54,16 +50,16 @@ public:
         double ratio = 0, width = 0;
         blended.ended = true;
         blended.passed.deviation = 0;
-        for (const auto& [k, weight] : corners) {
+        for (const auto& [k, weight, counts] : corners) {
             const FilterNode& node = nodes_[k];
             ratio += weight * std::log(node.ratio), width += weight * std::log(node.width);
             blended.passed.mean += weight * node.passed.mean;
-            blended.passed.deviation = blended.passed.deviation && node.passed.deviation
-                                           ? std::optional(*blended.passed.deviation + weight * *node.passed.deviation)
-                                           : std::nullopt;
+            add_weighted(blended.passed.deviation, node.passed.deviation, weight, counts);
             blended.moving += weight * node.moving;
-            blended.ended = blended.ended && node.ended;
-            blended.rows.insert(blended.rows.end(), node.rows.begin(), node.rows.end());
+            blended.ended = blended.ended && (node.ended || !counts);
+            if (counts) {
+                blended.rows.insert(blended.rows.end(), node.rows.begin(), node.rows.end());
+            }
         }
         blended.ratio = std::exp(ratio), blended.width = std::exp(width);
         return blended;
@@ -122,14 +118,13 @@ std::vector<FilterFound> look_up_filter(const std::vector<FilterRow>& rows, doub
         return all;
     }
     const double wide = std::max(width, std::ranges::min(rows, {}, &FilterRow::width).width);
-    const Place place = FilterNodes::place_of(ratio, wide);
-    const Place edge =
+    const Place given = FilterNodes::place_of(ratio, wide), error{std::log1p(read_error), std::log1p(read_error)};
+    const Place place =
         FilterNodes::place_of(snapped(rows, &FilterRow::ratio, ratio), snapped(rows, &FilterRow::width, wide));
     for (const double gradient : gradients_of(rows)) {
         const FilterNodes nodes(rows, gradient);
-        std::vector<Corner> corners = nodes.grid().corners(place);
-        corners = corners.empty() ? nodes.grid().corners(edge) : corners;
-        FilterFound found{gradient, {}, corners.size() > 1, nodes.nearest(place)};
+        const std::vector<Corner> corners = nodes.grid().corners(place, error);
+        FilterFound found{gradient, {}, corners.size() > 1, nodes.nearest(given)};
         if (!corners.empty()) {
             found.node = nodes.blend(corners);
         }

@@ -63,6 +63,25 @@ TEST(AtlasOfFilters, ABaseAtTheEdgeIsInsideWithinTheErrorOfReadSizes) {
     EXPECT_FALSE(look_up_filter(rows, 8.1, 2).front().node);
 }
 
+TEST(AtlasOfFilters, AnErrorOfReadSizesDecidesNothing) {
+    std::vector<FilterRow> rows = plane_of_filters(); // of ratios 4 and 8, widths 1 and 4 each
+    rows[1].ended = rows[3].ended = false;            // those of width 4
+    for (const double width : {1.0, 1.000001, 1.009}) {
+        const FilterFound found = look_up_filter(rows, 4, width).front();
+        EXPECT_FALSE(found.is_interpolated) << width;
+        EXPECT_TRUE(found.node->ended) << width;
+        EXPECT_EQ(found.node->rows.size(), 1U) << width;
+    }
+    EXPECT_FALSE(look_up_filter(rows, 4, 1.1).front().node->ended);
+
+    rows[1].ended =
+        true; // now that of ratio 8 alone: off both lines by little more than an error, its weight is 0.03 %
+    const FilterFound corner = look_up_filter(rows, 4.05, 1.012).front();
+    EXPECT_TRUE(corner.node->ended);
+    EXPECT_EQ(corner.node->rows.size(), 3U);
+    EXPECT_FALSE(look_up_filter(rows, 6, 1.1).front().node->ended);
+}
+
 TEST(AtlasOfFilters, ABaseOfOneSizeCountsAsTheNarrowest) {
     const std::vector<FilterRow> rows = {filter_row(4, 1.2, 0.01), filter_row(8, 1.2, 0.02)};
     EXPECT_TRUE(look_up_filter(rows, 5, 1).front().node);

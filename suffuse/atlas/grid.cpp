@@ -11,10 +11,11 @@ constexpr double rounding = 1e-6; // relative, of sizes and shares that were com
 
 struct WeightedLine {
     double at = 0, weight = 0;
+    double doubt = 0; ///< by how much a reading error changes the weight, relative
 };
 
 /// The line of the grid that a coordinate is on, or the two that it is between; nothing outside.
-std::vector<WeightedLine> lines_around(const std::set<double>& lines, double at) {
+std::vector<WeightedLine> lines_around(const std::set<double>& lines, double at, double error) {
     const auto after = lines.lower_bound(at * (1 - rounding));
     if (after == lines.end()) {
         return {};
@@ -26,7 +27,8 @@ std::vector<WeightedLine> lines_around(const std::set<double>& lines, double at)
         return {};
     }
     const double low = *std::prev(after), high = *after, share = (at - low) / (high - low);
-    return {{low, 1 - share}, {high, share}};
+    const double change = error / (high - low);
+    return {{low, 1 - share, change / (1 - share)}, {high, share, change / share}};
 }
 
 /// Nodes by their place along a line of the grid.
@@ -53,16 +55,19 @@ Grid::Grid(const std::vector<Place>& nodes) {
     }
 }
 
-std::vector<Corner> Grid::corners(const Place& at) const {
+std::vector<Corner> Grid::corners(const Place& at, const Place& error) const {
     std::vector<Corner> found;
-    for (const WeightedLine& first : lines_around(xs_, at.x)) {
-        for (const WeightedLine& second : lines_around(ys_, at.y)) {
+    for (const WeightedLine& first : lines_around(xs_, at.x, error.x)) {
+        for (const WeightedLine& second : lines_around(ys_, at.y, error.y)) {
             const auto node = nodes_.find({first.at, second.at});
             if (node == nodes_.end()) {
                 return {};
             }
-            found.push_back({node->second, first.weight * second.weight});
+            found.push_back({node->second, first.weight * second.weight, first.doubt + second.doubt < 1});
         }
+    }
+    if (!found.empty()) {
+        std::ranges::max_element(found, {}, &Corner::weight)->counts = true;
     }
     return found;
 }

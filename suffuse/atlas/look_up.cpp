@@ -11,9 +11,10 @@ namespace {
 std::vector<WeightedNode> nodes_for(const std::vector<Node>& nodes, double size_ratio, double fines_content) {
     const Grid grid = grid_of(nodes);
     const double ratio = std::log(size_ratio), nearest = grid.nearest_x(ratio);
-    std::vector<Corner> corners = grid.corners({ratio, fines_content});
+    const Place error{std::log1p(read_error), read_error * fines_content};
+    std::vector<Corner> corners = grid.corners({ratio, fines_content}, error);
     if (corners.empty() && std::abs(nearest - ratio) <= std::log1p(same_ratio)) {
-        corners = grid.corners({nearest, fines_content});
+        corners = grid.corners({nearest, fines_content}, error);
     }
     return weighted(nodes, corners);
 }

@@ -128,6 +128,20 @@ TEST(Atlas, OfSamplesOfOneNodeThatDidNotAllReachAGradientTheMeanIsAFloor) {
     EXPECT_FALSE(look_up_loose(rows, 4, 0.1).node->least_1.gradient) << "bounds to both sides bound nothing";
 }
 
+TEST(Atlas, ANodeWhoseWeightIsWithinReadingErrorsBoundsNothing) {
+    std::vector<Row> rows = square(); // fines contents of 10 and 20 %
+    for (const std::size_t twenty : {1, 3}) {
+        rows[twenty].moves_1.is_at_most = true, rows[twenty].moves_10.gradient.reset();
+    }
+    const Found near = look_up_loose(rows, 4, 0.1005), far = look_up_loose(rows, 4, 0.105);
+    EXPECT_FALSE(near.node->moves_1->is_at_most);
+    EXPECT_NEAR(near.node->moves_10->mean, 0.2 / 16, 1e-12) << "that of the node with a number";
+    EXPECT_EQ(near.rows.size(), 1U);
+    EXPECT_TRUE(far.node->moves_1->is_at_most);
+    EXPECT_FALSE(far.node->moves_10);
+    EXPECT_EQ(far.rows.size(), 2U);
+}
+
 TEST(Atlas, AGradientOfZeroLeavesNumbers) {
     const Found found = look_up_loose({row_at(4, 0.1, 0), row_at(4, 0.2, 0.3)}, 4, 0.15);
     EXPECT_TRUE(std::isfinite(found.node->moves_1->mean));

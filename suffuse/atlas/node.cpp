@@ -64,46 +64,51 @@ Node node_of(std::vector<Row> rows) {
 Value blend_alpha(const std::vector<WeightedNode>& nodes) {
     Value value;
     value.deviation = 0;
-    for (const auto& [node, weight] : nodes) {
+    for (const auto& [node, weight, counts] : nodes) {
         value.mean += weight * node->alpha.mean;
-        value.deviation = value.deviation && node->alpha.deviation
-                              ? std::optional(*value.deviation + weight * *node->alpha.deviation)
-                              : std::nullopt;
+        add_weighted(value.deviation, node->alpha.deviation, weight, counts);
     }
     return value;
 }
 
 std::optional<Value> blend_gradient(const std::vector<WeightedNode>& nodes, std::optional<Value> Node::*threshold) {
-    double logarithm = 0;
+    double logarithm = 0, left_out = 0;
     std::optional<double> scatter = 0; // relative
     bool is_at_most = false;
-    for (const auto& [node, weight] : nodes) {
+    for (const auto& [node, weight, counts] : nodes) {
         const std::optional<Value>& found = node->*threshold;
-        if (!found) {
+        if (!found && counts) {
             return std::nullopt;
+        }
+        if (!found) {
+            left_out += weight;
+            continue;
         }
         const double gradient = std::max(found->mean, least_gradient);
         logarithm += weight * std::log(gradient);
-        scatter = scatter && found->deviation ? std::optional(*scatter + weight * *found->deviation / gradient)
-                                              : std::nullopt;
-        is_at_most = is_at_most || found->is_at_most;
+        add_weighted(scatter, found->deviation, weight / gradient, counts);
+        is_at_most = is_at_most || (counts && found->is_at_most);
     }
-    const double mean = std::exp(logarithm);
+    const double mean = std::exp(logarithm / (1 - left_out));
     return Value{mean, scatter ? std::optional(*scatter * mean) : std::nullopt, is_at_most};
 }
 
 Floor blend_floor(const std::vector<WeightedNode>& nodes, Floor Node::*threshold) {
-    std::optional<double> logarithm = 0;
+    double logarithm = 0, left_out = 0;
     Floor blended;
-    for (const auto& [node, weight] : nodes) {
+    bool is_known = true;
+    for (const auto& [node, weight, counts] : nodes) {
         const Floor& floor = node->*threshold;
-        blended.is_reached = blended.is_reached || floor.is_reached;
-        logarithm = logarithm && floor.gradient
-                        ? std::optional(*logarithm + weight * std::log(std::max(*floor.gradient, least_gradient)))
-                        : std::nullopt;
+        blended.is_reached = blended.is_reached || (counts && floor.is_reached);
+        if (floor.gradient) {
+            logarithm += weight * std::log(std::max(*floor.gradient, least_gradient));
+        } else {
+            left_out += weight;
+            is_known = is_known && !counts;
+        }
     }
-    if (logarithm) {
-        blended.gradient = std::exp(*logarithm);
+    if (is_known) {
+        blended.gradient = std::exp(logarithm / (1 - left_out));
     }
     return blended;
 }
@@ -138,7 +143,7 @@ std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::ve
     std::vector<WeightedNode> found;
     found.reserve(corners.size());
     for (const Corner& corner : corners) {
-        found.push_back({&nodes[corner.node], corner.weight});
+        found.push_back({&nodes[corner.node], corner.weight, corner.counts});
     }
     return found;
 }
@@ -146,11 +151,13 @@ std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::ve
 Node blend(const std::vector<WeightedNode>& nodes) {
     Node blended;
     double ratio = 0;
-    for (const auto& [node, weight] : nodes) {
+    for (const auto& [node, weight, counts] : nodes) {
         ratio += weight * std::log(node->size_ratio);
         blended.fines_content += weight * node->fines_content;
         blended.porosity += weight * node->porosity;
-        blended.rows.insert(blended.rows.end(), node->rows.begin(), node->rows.end());
+        if (counts) {
+            blended.rows.insert(blended.rows.end(), node->rows.begin(), node->rows.end());
+        }
     }
     blended.size_ratio = std::exp(ratio);
     blended.alpha = blend_alpha(nodes);

@@ -29,12 +29,14 @@ Grid grid_of(const std::vector<Node>& nodes);
 struct WeightedNode {
     const Node* node = nullptr;
     double weight = 0;
+    bool counts = true; ///< as that of Corner
 };
 
 std::vector<WeightedNode> weighted(const std::vector<Node>& nodes, const std::vector<Corner>& corners);
 
 /// Between nodes: porosity and alpha linear, gradients linear in their logarithm, as they span decades. An upper bound
 /// of one node makes the result one. Where a node did not reach a gradient, only its floor is known.
+/// Nodes that do not count lend their numbers, where they have them, and no more.
 Node blend(const std::vector<WeightedNode>& nodes);
 
 } // namespace suffuse::atlas

@@ -19,4 +19,12 @@ Value over_seeds(const std::vector<double>& samples) {
     return value;
 }
 
+void add_weighted(std::optional<double>& sum, const std::optional<double>& deviation, double weight, bool counts) {
+    if (counts && !deviation) {
+        sum.reset();
+    } else if (sum) {
+        *sum += weight * deviation.value_or(0);
+    }
+}
+
 } // namespace suffuse::atlas

@@ -21,4 +21,7 @@ struct Floor {
 /// @pre some samples
 Value over_seeds(const std::vector<double>& samples);
 
+/// Adds a deviation to a weighted sum, which there is none of where one that counts is not known.
+void add_weighted(std::optional<double>& sum, const std::optional<double>& deviation, double weight, bool counts);
+
 } // namespace suffuse::atlas
