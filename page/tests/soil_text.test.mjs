@@ -35,6 +35,8 @@ test("the answer in words and tables, with what is not known, and names escaped"
   assert.match(html, /0\.33<\/td><td class="n">≥ 0\.9/);
   const dense = { ...found.atlas[0], i1: null, lower_bounds: { i1: 0.66, i10: null } };
   assert.equal(verdictLines({ ...found, atlas: [...found.atlas, dense] }, "")[1], "1 % of the fines move at i = 0.33 to at least 0.66 (atlas): factor of safety 1.1 to at least 2.2.");
+  const heaves = { ...found.gradients[0], value: found.gradients[0].limit / 0.996 };
+  assert.match(verdictLines({ ...found, gradients: [heaves] }, "")[2], /Factor of safety 0\.99 against/);
   assert.match(answerTables({ ...found, atlas: [dense] }, ""), /≥ 0\.66<\/td><td class="n">–/);
   assert.match(html, /d10 \?, d50 1, d60 2 mm; Cu \?/);
   assert.equal(curveNotes({ f: [0.1, 1], isEdited: true }, { gap: { from: 4e-4, to: 9e-4 } }, null), "The curve was edited here. Shaded: the gap, 0.4 to 0.9 mm. 10 % is finer than the last size.");

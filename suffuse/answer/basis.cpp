@@ -4,6 +4,7 @@
 #include "suffuse/answer/mobility_words.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/atlas/look_up.hpp"
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/base/grouped.hpp"
 #include "suffuse/base/words.hpp"
 #include "suffuse/casefile/stage_loading.hpp"
@@ -11,7 +12,6 @@
 #include "suffuse/grains/sampling.hpp"
 #include "suffuse/grains/surrogate.hpp"
 #include "suffuse/stability/critical_gradient.hpp"
-#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -248,8 +248,8 @@ std::string estimates_of(const MobilityStory& story, const std::vector<atlas::Ro
         const auto [least, most] = std::ranges::minmax_element(estimates, {}, &Estimate::gradient);
         const double specified = *story.specified_gradient;
         text += fmt::format(
-            " Over the specified {:g}: {} ({}) to {} ({}).", specified, study::factor_text(least->gradient / specified),
-            least->by, study::factor_text(most->gradient / specified), most->by
+            " Over the specified {:g}: {} ({}) to {} ({}).", specified, factor_text(least->gradient / specified),
+            least->by, factor_text(most->gradient / specified), most->by
         );
     }
     return text;

@@ -2,8 +2,8 @@
 
 #include "suffuse/answer/mobility_text.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/base/words.hpp"
-#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
@@ -63,7 +63,7 @@ Headline safety_headline(const MobilityStory& story) {
     const double specified = *story.specified_gradient;
     const std::string at_most = story.at_most_1 ? "≤ " : "";
     if (!is_met(story.safety, story)) {
-        headline.value = "≥ " + study::least_factor_text(*story.safety_at_least);
+        headline.value = "≥ " + least_factor_text(*story.safety_at_least);
         headline.detail = fmt::format(
             "{} before 1 % of the fines move; specified {:.2f}",
             goes_to_heave(story) ? "the soil heaves" : "the ramp ends", specified
@@ -79,20 +79,20 @@ Headline safety_headline(const MobilityStory& story) {
             );
         }
     } else if (story.safety.seeds > 1) {
-        headline.value = at_most + study::factor_text(story.safety.mean);
-        headline.spread = spread_text(story.safety, 1, study::decimals_of_factor(story.safety.mean));
+        headline.value = at_most + factor_text(story.safety.mean);
+        headline.spread = spread_text(story.safety, 1, decimals_of_factor(story.safety.mean));
         headline.detail = fmt::format("{} samples; specified {:.2f}", story.safety.seeds, specified);
         headline = with_certainty(std::move(headline), story.safety);
     } else if (story.at_most_1) {
-        headline.value = at_most + study::factor_text(story.safety.mean);
+        headline.value = at_most + factor_text(story.safety.mean);
         headline.detail = still_moving;
         headline = with_certainty(std::move(headline), story.safety);
     } else {
         const double half = within_step(story, story.moves_1.mean) / specified;
-        headline.value = study::factor_text(story.safety.mean);
+        headline.value = factor_text(story.safety.mean);
         headline.detail = fmt::format(
-            "{} to {} within a step of the ramp; no replicate",
-            study::factor_text(std::max(0.0, story.safety.mean - half)), study::factor_text(story.safety.mean + half)
+            "{} to {} within a step of the ramp; no replicate", factor_text(std::max(0.0, story.safety.mean - half)),
+            factor_text(story.safety.mean + half)
         );
     }
     const bool moves_late = !is_met(story.safety, story) && goes_to_heave(story);
@@ -102,7 +102,7 @@ Headline safety_headline(const MobilityStory& story) {
     }
     if (do_disagree(story)) {
         headline.caution = fmt::format(
-            "Skempton and Brogan's rule gives {}; the reason is below.", study::factor_text(*safety_by_rule(story))
+            "Skempton and Brogan's rule gives {}; the reason is below.", factor_text(*safety_by_rule(story))
         );
     }
     return headline;

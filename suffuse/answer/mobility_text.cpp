@@ -1,8 +1,8 @@
 #include "suffuse/answer/mobility_text.hpp"
 
 #include "suffuse/answer/plain_numbers.hpp"
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/base/words.hpp"
-#include "suffuse/study/factor_of_safety.hpp"
 
 #include <fmt/format.h>
 
@@ -52,7 +52,7 @@ std::string end_text(const MobilityStory& story) {
 }
 
 std::string heave_factor_text(const MobilityStory& story) {
-    return study::factor_text(story.heave.mean / *story.specified_gradient);
+    return factor_text(story.heave.mean / *story.specified_gradient);
 }
 
 bool is_almost_none(double gradient) {

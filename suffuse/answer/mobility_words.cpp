@@ -68,8 +68,8 @@ std::string safety_text(const MobilityStory& story) {
         return "no factor of safety, as motion had not ended when the gradient rose";
     }
     const std::string factor = is_met(story.safety, story)
-                                   ? (story.at_most_1 ? "at most " : "") + study::factor_text(story.safety)
-                                   : "at least " + study::least_factor_text(*story.safety_at_least);
+                                   ? (story.at_most_1 ? "at most " : "") + factor_text(story.safety)
+                                   : "at least " + least_factor_text(*story.safety_at_least);
     return fmt::format("factor of safety {} before 1 % move {}", factor, distance_text(story));
 }
 

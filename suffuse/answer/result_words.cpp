@@ -2,7 +2,7 @@
 #include "suffuse/answer/headlines.hpp"
 #include "suffuse/answer/plain_numbers.hpp"
 #include "suffuse/base/error.hpp"
-#include "suffuse/study/factor_of_safety.hpp"
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/study/fines_study.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ bool is_none(Result which, double value) {
 std::string result_text(Result which, double value, const flow::Fluid& fluid) {
     switch (which) {
     case Result::Safety:
-        return study::factor_text(value);
+        return factor_text(value);
     case Result::FirstMovement:
         return fixed(value, 2);
     case Result::ErodedMass:
@@ -63,7 +63,7 @@ std::string result_spread(Result which, const study::Scatter& value, const flow:
     };
     switch (which) {
     case Result::Safety:
-        return spread_text(value, 1, study::decimals_of_factor(value.mean));
+        return spread_text(value, 1, decimals_of_factor(value.mean));
     case Result::FirstMovement:
         return spread_text(value, 1, 2);
     case Result::ErodedMass:

@@ -161,7 +161,7 @@ std::optional<Figure> mobility_curves(const std::vector<MobilityStory>& stories)
     figure.title = main->specified_gradient && is_met(main->safety, *main)
                        ? fmt::format(
                              "First movement is at {}{} times the specified gradient", main->at_most_1 ? "most " : "",
-                             study::factor_text(main->safety.mean)
+                             factor_text(main->safety.mean)
                          )
                        : "Fines that a gradient moves";
     figure.caption = fmt::format(
@@ -276,9 +276,9 @@ std::optional<PageTable> mobility_table(const std::vector<MobilityStory>& storie
     table.numeric.assign(table.header.size(), true);
     table.numeric.front() = table.numeric.back() = false;
     for (const MobilityStory& story : stories) {
-        std::string safety = bounded(story.safety, story.at_most_1, study::factor_text(story.safety));
+        std::string safety = bounded(story.safety, story.at_most_1, factor_text(story.safety));
         if (!is_met(story.safety, story) && story.safety_at_least) {
-            safety = "at least " + study::least_factor_text(*story.safety_at_least);
+            safety = "at least " + least_factor_text(*story.safety_at_least);
         }
         table.rows.push_back(
             {story.name, fmt::format("{}", story.of_sample.size()), reached(story.moves_1, story.at_most_1),

@@ -1,5 +1,6 @@
 #include "suffuse/stability/critical_gradient.hpp"
 
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/stability/criterion_guide.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ std::string factor_of_safety(const Criterion& criterion) {
         return "the limit is that of vertical flow; toward level flow there is none, and grains move at lower "
                "gradients: see the atlas";
     }
-    return *criterion.value > 0 ? fmt::format("factor of safety {:.2g}", *criterion.limit / *criterion.value)
+    return *criterion.value > 0 ? "factor of safety " + factor_text(*criterion.limit / *criterion.value)
                                 : "no seepage, so no factor of safety";
 }
 

@@ -1,22 +1,14 @@
 #pragma once
-// How the program writes factors of safety: with two digits below 10, and never rounded to 1 from below.
+// Factors of safety of several samples.
 
+#include "suffuse/base/factor_of_safety.hpp"
 #include "suffuse/study/study_curves.hpp"
 
 #include <string>
 
 namespace suffuse::study {
 
-/// Below 1 a hundredth decides.
-int decimals_of_factor(double factor);
-
-/// "1.5", "0.82"; "0.99" for 0.996.
-std::string factor_text(double factor);
-
 /// "1.5 ± 0.2"; "–" where no seed has it.
 std::string factor_text(const Scatter& factor);
-
-/// A lower bound, which rounding does not raise: "1.4" for 1.49.
-std::string least_factor_text(double least);
 
 } // namespace suffuse::study

@@ -5,6 +5,14 @@
 globalThis.CurveChart = (() => {
   const three = (x) => (x === undefined ? "" : x >= 1000 ? Math.round(x).toLocaleString("en") : String(Number(x.toPrecision(3))));
   const mm = (x) => three(1e3 * x);
+  /** "0.24 to at least 0.68": a range of numbers some of which may be bounds, or one number where its ends look alike. */
+  const rangeText = (numbers, hasMost, hasLeast, text) => {
+    const [low, high] = [Math.min(...numbers), Math.max(...numbers)].map(text);
+    const most = hasMost ? "at most " : "", least = hasLeast ? "at least " : "";
+    return low !== high ? `${most}${low} to ${least}${high}` : most && least ? `about ${low}` : `${most}${least}${low}`;
+  };
+  /** A factor of safety: never rounded to 1 from below. */
+  const factor = (x) => (x < 1 ? Math.min(x, 0.99).toFixed(2) : x.toFixed(1));
   const escaped = (text) => text.replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 
   /** Drawn for a desk or for a phone. */
@@ -112,5 +120,5 @@ globalThis.CurveChart = (() => {
     return { draw };
   };
 
-  return { attach, colorsOf, three, mm, escaped };
+  return { attach, colorsOf, three, mm, rangeText, factor, escaped };
 })();

@@ -4,7 +4,7 @@
 const pageData = JSON.parse(document.getElementById("data").textContent);
 const state = { which: 0, soils: pageData.soils.map((s) => ({ name: s.name, d: [...s.d], f: [...s.f] })), ...pageData.seepage };
 const $ = (id) => document.getElementById(id);
-const { three, escaped } = CurveChart;
+const { three, rangeText, factor, escaped } = CurveChart;
 const isVertical = state.flow === "upward", lifts = isVertical || state.flow === "rising";
 const here = () => state.soils[state.which];
 const sign = {
@@ -62,39 +62,33 @@ function drawGradients(found) {
   $("gradients").innerHTML = parts.join("");
 }
 
-/** "0.24 to at least 0.68": a range of numbers some of which may be bounds, or one number where its ends look alike. */
-const rangeText = (numbers, bounds, digits) => {
-  const [low, high] = [Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits));
-  const most = bounds.some((b) => b.at_most) ? "at most " : "", least = bounds.some((b) => b.at_least) ? "at least " : "";
-  return low !== high ? `${most}${low} to ${least}${high}` : most && least ? `about ${low}` : `${most}${least}${low}`;
-};
-
 /** What the atlas says of the curve as given: when this flow moves 1 % of its fines, over all densities. */
 function atlasWords() {
   const { place } = pageData.soils[state.which];
   if (!place || place.moves.length === 0 || here().isEdited) return [];
   const gradients = place.moves.map((node) => node.i1_over_ic * Criteria.heaveAt(state.density, node.porosity));
-  const range = (numbers, digits) => rangeText(numbers, place.moves, digits), i = state.gradient;
-  return [`1 % of the fines move at <i>i</i> = ${range(gradients, 2)} (atlas${isVertical ? "" : `, ${state.flow} flow`})${isVertical && i > 0 ? `: factor of safety ${range(gradients.map((g) => g / i), 1)}` : ""}.`];
+  const hasMost = place.moves.some((node) => node.at_most), hasLeast = place.moves.some((node) => node.at_least);
+  const range = (numbers, text) => rangeText(numbers, hasMost, hasLeast, text), i = state.gradient;
+  return [`1 % of the fines move at <i>i</i> = ${range(gradients, (x) => x.toFixed(2))} (atlas${isVertical ? "" : `, ${state.flow} flow`})${isVertical && i > 0 ? `: factor of safety ${range(gradients.map((g) => g / i), factor)}` : ""}.`];
 }
 
 function words(criteria, found) {
   const { counted, unstable } = Criteria.tally(criteria), fs = factorOf(found.heave);
   const lines = [counted === 0 ? "No criterion can say of this curve alone."
     : unstable === 0 ? `None of ${counted} criteria says unstable.` : `${unstable} of ${counted} criteria say unstable.`, ...atlasWords()];
-  if (fs !== undefined) lines.push(`Factor of safety ${fs.toFixed(1)} against heave of the whole soil.`);
+  if (fs !== undefined) lines.push(`Factor of safety ${factor(fs)} against heave of the whole soil.`);
   return lines;
 }
 
 function drawSafety(found) {
   const i = state.gradient, text = [];
-  const factor = (limit, kind) => (factorOf(limit) === undefined ? "" : `: <b${kind}>factor of safety ${factorOf(limit).toFixed(1)}</b>`);
+  const safety = (limit, kind) => (factorOf(limit) === undefined ? "" : `: <b${kind}>factor of safety ${factor(factorOf(limit))}</b>`);
   if (!lifts) {
     text.push(`Only upward flow lifts grains: heave and α<i>i</i><sub>c</sub> are no limits of ${state.flow} flow.`);
   } else {
-    text.push(`Heave at <i>i</i> = ${found.heave.toFixed(2)}${factor(found.heave, "")}.`);
+    text.push(`Heave at <i>i</i> = ${found.heave.toFixed(2)}${safety(found.heave, "")}.`);
     text.push(found.fines !== undefined
-      ? `Fines leave at α<i>i</i><sub>c</sub> = ${found.fines.toFixed(2)} (α ${three(found.share)})${factor(found.fines, ` class="${found.fines < i ? "no" : "ok"}"`)}.`
+      ? `Fines leave at α<i>i</i><sub>c</sub> = ${found.fines.toFixed(2)} (α ${three(found.share)})${safety(found.fines, ` class="${found.fines < i ? "no" : "ok"}"`)}.`
       : `α of the fines is not known${i > 0 ? `: they stay in place only where it is at least ${three(found.needed)}` : ""}.`);
     if (!isVertical) text.push(`Both are limits of vertical flow: ${state.flow} flow moves grains at lower gradients, too.`);
   }

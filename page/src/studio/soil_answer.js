@@ -1,5 +1,5 @@
 // What the criteria and the atlas say of a soil, as words, tables and marks on its curve. All numbers are the server's.
-import { escaped, mm, three } from "./words.js";
+import { escaped, factor, mm, rangeText, three } from "./words.js";
 
 const sign = { stable: ["ok", "✓ stable"], unstable: ["no", "✗ unstable"], "cannot say": ["un", "? cannot say"], transition: ["un", "~ transition"], holds: ["ok", "✓ holds"], fails: ["no", "✗ fails"] };
 
@@ -16,13 +16,6 @@ function atlasTable(entries) {
   return `${table("Simulated soils like it", ["density", "1 % move at <i>i</i>", "10 % move"], rows, [1, 2])}<p class="cap">From the atlas: D50/d50 ${three(ratio)}, ${three(100 * content)} % of fines.</p>`;
 }
 
-/** "0.24 to at least 0.68": a range of numbers some of which may be bounds, or one number where its ends look alike. */
-function rangeText(numbers, bounds, digits) {
-  const [low, high] = [Math.min(...numbers), Math.max(...numbers)].map((x) => x.toFixed(digits));
-  const most = bounds.some((b) => b.i1_at_most) ? "at most " : "", least = bounds.some((b) => b.i1 === null) ? "at least " : "";
-  return low !== high ? `${most}${low} to ${least}${high}` : most && least ? `about ${low}` : `${most}${least}${low}`;
-}
-
 /** The answer in a few sentences. */
 export function verdictLines(found, filterName) {
   const { stable, transition, unstable } = found.tally, counted = stable + transition + unstable, i = found.seepage?.gradient;
@@ -30,10 +23,12 @@ export function verdictLines(found, filterName) {
   const moves = (found.atlas ?? []).filter((e) => e.inside && !e.wide_fines && e.flow === found.seepage?.flow && Number.isFinite(e.i1 ?? e.lower_bounds.i1));
   if (moves.length && i > 0) {
     const all = moves.map((e) => e.i1 ?? e.lower_bounds.i1);
-    lines.push(`1 % of the fines move at i = ${rangeText(all, moves, 2)} (atlas): factor of safety ${rangeText(all.map((g) => g / i), moves, 1)}.`);
+    const hasMost = moves.some((e) => e.i1_at_most), hasLeast = moves.some((e) => e.i1 === null);
+    const range = (numbers, text) => rangeText(numbers, hasMost, hasLeast, text);
+    lines.push(`1 % of the fines move at i = ${range(all, (x) => x.toFixed(2))} (atlas): factor of safety ${range(all.map((g) => g / i), factor)}.`);
   }
   const heave = (found.gradients ?? []).find((c) => c.id === "terzaghi");
-  if (heave && i > 0) lines.push(`Factor of safety ${(heave.limit / heave.value).toFixed(1)} against heave of the whole soil.`);
+  if (heave && i > 0) lines.push(`Factor of safety ${factor(heave.limit / heave.value)} against heave of the whole soil.`);
   if (found.filter) lines.push(`The filter ${filterName} ${found.filter.summary}.`, found.filter.simulated.summary);
   return lines;
 }

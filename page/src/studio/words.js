@@ -1,7 +1,7 @@
 // Elements, numbers and words of the page.
 import "../assess/curve.js";
 
-export const { three, mm, escaped } = globalThis.CurveChart;
+export const { three, mm, rangeText, factor, escaped } = globalThis.CurveChart;
 export const $ = (id) => document.getElementById(id);
 export const seconds = (s) =>
   s < 1 ? "less than 1 s" : s < 100 ? `${Math.round(s)} s` : s < 5400 ? `${Math.round(s / 60)} min` : s < 172800 ? `${(s / 3600).toPrecision(2)} h` : `${Math.round(s / 86400)} days`;
