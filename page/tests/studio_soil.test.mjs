@@ -96,7 +96,7 @@ test("a gradient beyond the slider is typed; without a gradient the page says wh
   const { page, context } = await open();
   await answered(page, gap);
   await page.locator("#gradient-number").fill("1,98");
-  await says(page, "verdict", "Factor of safety 0.5 against heave"); // 0.99/1.98
+  await says(page, "verdict", "Factor of safety 0.50 against heave"); // 0.99/1.98
   assert.equal(await page.inputValue("#gradient"), "1.5");
   await page.locator("#gradient").fill("0.9");
   assert.equal(await page.inputValue("#gradient-number"), "0.9");
