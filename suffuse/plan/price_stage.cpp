@@ -44,7 +44,7 @@ constexpr Range layer_seconds{1e-5, 2e-4}; // likewise of layers, pushed apart i
 constexpr Range flow_seconds{1e-5, 6e-5};  // a grain, one direction
 
 // Fines that migrate: steps of their rest; of equal ones, while one falls half its diameter; flows in a second.
-constexpr Range rest_of_fines{20'000, 80'000}, steps_of_a_fall{400, 3200}, flows_a_second{20, 250};
+constexpr Range steps_of_a_fall{400, 3200}, flows_a_second{20, 250};
 
 // Grains that a plan draws of a sample: more of the same curve say no more of their shares.
 constexpr std::int64_t most_drawn = 300'000;
@@ -178,7 +178,8 @@ public:
             const double levels = levels_of_ramp(spec.gradients);
             const Range flows = flows_with_weight(levels, spec.probe.weighed);
             StagePrice price{
-                .reference_steps = work_of_free_fines * steps_with_weight(levels, spec.probe.weighed),
+                .reference_steps =
+                    work_of_free_fines * steps_with_weight(levels, spec.probe.weighed, fines_sift(sample_)),
                 .seconds = flows * one_flow(),
                 .memory_a_grain = 4 * grain_memory + flow_memory,
                 .basis = fmt::format("rest under weight, then {} gradients, and those between that are sought", levels),
@@ -209,7 +210,8 @@ public:
         const Range flows = weighs ? flows_with_weight(ramp, spec.probe.weighed) : Range{};
         StagePrice price{
             .steps = 2 * passes * waited(case_, balance_after_removal),
-            .reference_steps = weighs ? work_of_free_fines * (passes * steps_with_weight(ramp, spec.probe.weighed))
+            .reference_steps = weighs ? work_of_free_fines *
+                                            (passes * steps_with_weight(ramp, spec.probe.weighed, fines_sift(sample_)))
                                       : passes * probe(spec.probe, 1) + first_relaxation + later * next_relaxation,
             .seconds = ((travels ? 3.0 : 2.0) * Range{1, 1} + flows) * passes * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
@@ -264,7 +266,8 @@ public:
         const double rests = spec.skeleton == erosion::Skeleton::Moves ? 1 + holds : 1;
         return {
             .steps = equilibria * waited(case_, balance_after_removal),
-            .reference_steps = work_of_free_fines * (rests * rest_of_fines + slower / fall * steps_of_a_fall * time),
+            .reference_steps = work_of_free_fines *
+                               (rests * rest_of_fines(fines_sift(sample_)) + slower / fall * steps_of_a_fall * time),
             .seconds = flows_a_second * time * one_flow(),
             .memory_a_grain = 4 * grain_memory + flow_memory,
             .basis = fmt::format(

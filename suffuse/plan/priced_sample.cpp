@@ -190,6 +190,11 @@ double smallest_diameter(const PricedSample& sample) {
     return std::min(sample.coarse.smallest, sample.fines.smallest);
 }
 
+bool fines_sift(const PricedSample& sample) {
+    constexpr double through_three_that_touch = 6.464; // size ratio
+    return sample.coarse.median > through_three_that_touch * sample.fines.median;
+}
+
 double count(const PricedSample& sample) {
     return sample.coarse.grains + sample.fines.grains;
 }

@@ -55,6 +55,7 @@ void take_critical_state(PricedSample& sample);
 
 double fines_content(const PricedSample& sample);     ///< of the mass [-]
 double smallest_diameter(const PricedSample& sample); ///< [m]
+bool fines_sift(const PricedSample& sample);          ///< half of them fit through the tightest holes
 double count(const PricedSample& sample);             ///< grains before any erosion
 
 /// The linear law that is as stiff as the material at the sample's pressure.
