@@ -97,6 +97,11 @@ def check_atlas(program, opened, folder):
     return wrong
 
 
+def factor(number):
+    """As the program writes a factor of safety: never rounded to 1 from below."""
+    return f"{min(number, 0.99):.2f}" if number < 1 else f"{number:.1f}"
+
+
 def check_headline(program, opened, folder, sizes, fines):
     """What is wrong with the headline of a soil of two fractions."""
     Path(folder, "within.csv").write_text("d [mm],passing [%]\n" + "".join(f"{d},{f}\n" for d, f in zip(sizes, ["0", fines, fines, "100"])))
@@ -107,7 +112,7 @@ def check_headline(program, opened, folder, sizes, fines):
     entries = [entry for entry in soil["atlas"] if entry["flow"] == "up" and entry["inside"]]
     ours = sorted(entry["i1"] or entry["lower_bounds"]["i1"] for entry in entries)
     least = "at least " if any(entry["i1"] is None for entry in entries) else ""
-    gradients, factors = f"{ours[0]:.2f} to {least}{ours[-1]:.2f} (atlas)", f"safety {ours[0] / 0.3:.1f} to {least}{ours[-1] / 0.3:.1f}."
+    gradients, factors = f"{ours[0]:.2f} to {least}{ours[-1]:.2f} (atlas)", f"safety {factor(ours[0] / 0.3)} to {least}{factor(ours[-1] / 0.3)}."
     return [] if gradients in dom and factors in dom else [f"the headline lacks “{gradients}” or “{factors}”"]
 
 
