@@ -81,7 +81,10 @@ test("a simulation: price first, an error at its line, started, followed, stoppe
   await page.locator("#name").fill("walk");
   await page.click("#start");
   await page.waitForSelector("#live progress");
-  await page.waitForFunction(() => document.querySelector("#live .charts .mine")?.getAttribute("d").split("L").length > 6);
+  await page.waitForFunction(() => { // a line of its rest, or, where that was short, the dots of its levels
+    const lines = [...document.querySelectorAll("#live .charts path.mine")].map((path) => path.getAttribute("d").split("L").length);
+    return Math.max(...lines, document.querySelectorAll("#live .charts circle.mine").length) > 6;
+  });
   await picture(page, "live");
   await page.click("#live >> text=Stop and save");
   await page.waitForSelector("#live >> text=Resume");
