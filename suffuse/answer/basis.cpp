@@ -178,14 +178,17 @@ void doubt_size(const MobilityStory& story, std::vector<Doubt>& doubts) {
 }
 
 void doubt_motion(const MobilityStory& story, std::vector<Doubt>& doubts) {
-    if (story.at_most_1 || story.at_most_10) {
+    const bool is_early = story.at_most_1 || story.ends_in_motion;
+    if (is_early || story.at_most_10) {
+        const char* const consequence = story.at_most_1        ? "these gradients may be lower"
+                                        : story.ends_in_motion ? "1 % of them may move below the last gradient"
+                                                               : "the gradient that moves a tenth may be lower";
         doubts.push_back(
-            {story.at_most_1 ? 4.0 : 1.5,
+            {is_early ? 4.0 : 1.5,
              fmt::format(
-                 "Fines were still moving when the gradient rose, so that {} may be lower. To hold longer: `--set "
+                 "Fines were still moving when the gradient rose, so that {}. To hold longer: `--set "
                  "study.{}.stage.{}.hold_at_most={:g}`.",
-                 story.at_most_1 ? "these gradients" : "the gradient that moves a tenth", story.first->study->name,
-                 story.first->stage->name, 4 * story.hold_at_most
+                 consequence, story.first->study->name, story.first->stage->name, 4 * story.hold_at_most
              )}
         );
     }

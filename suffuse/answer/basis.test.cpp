@@ -62,6 +62,20 @@ TEST_F(Basis, NamesEveryEstimateOfTheGradientAndTheirRangeOverTheSpecifiedOne) {
     ) << estimates_of(story(20, 0));
 }
 
+TEST_F(Basis, DoubtsThatFewMoveWhereTheLastLevelWasStillMoving) {
+    study_.particles = 20'000;
+    mobility_.ramp = {{.gradient = 0.2, .mobile_mass_share = 0.002}, {.gradient = 1.4, .mobile_mass_share = 0.2}};
+    mobility_.moves_1.reset();
+    const std::string ended = first_doubt(story(20, 0));
+    mobility_.ramp.front().still_moving = 0.01;
+    EXPECT_EQ(
+        first_doubt(story(20, 0)),
+        "Fines were still moving when the gradient rose, so that 1 % of them may move below the last gradient. To hold "
+        "longer: `--set study.dam.stage.up.hold_at_most=400`."
+    );
+    EXPECT_EQ(ended.find("still moving"), std::string::npos) << ended;
+}
+
 TEST_F(Basis, ASurrogatesEstimatesNameItsSizeRatio) {
     const grains::Grading gravel{{0.005e-3, 0.08e-3, 1e-3, 4e-3}, {0, 0.2, 0.2, 1}, ""};
     variant_.soil = grains::surrogate_of(gravel, {.finer_than = 0.3e-3, .size_ratio = 10});

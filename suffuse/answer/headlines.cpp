@@ -38,10 +38,7 @@ std::string ends_in_words(
 /// "1.4 to 1.9": the least and most of what a swept study came to.
 Headline range_headline(const study::StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
     const study::SweepEffect effect = study::effect_of_sweep(outcome, which);
-    const auto text = [&](const study::OutcomePoint& point) {
-        return result_text(which, point.find(which)->mean, fluid);
-    };
-    const std::string least = text(*effect.least), most = text(*effect.most);
+    const std::string least = mean_text(*effect.least, which, fluid), most = mean_text(*effect.most, which, fluid);
     const std::string points = points_in_words(outcome, effect);
     const bool is_clear = effect.difference == study::Difference::Clear;
     Headline headline{is_clear || least != most ? least + " to " + most : least, result_label(which), ""};

@@ -62,6 +62,10 @@ std::string value_in_words(const study::SweepPoint& at, std::size_t key);
 /// The value of a result at one point, as reported: "13 %", "0.30", "338 kPa".
 std::string result_text(study::Result which, double value, const flow::Fluid& fluid);
 
+/// Of the mean at a point: "0.30", "≤ 0.30" where it is an upper bound. @param bound in front of such a one
+std::string
+mean_text(const study::OutcomePoint& point, study::Result which, const flow::Fluid& fluid, const char* bound = "≤ ");
+
 /// Whether its text is "none".
 bool is_none(study::Result which, double value);
 

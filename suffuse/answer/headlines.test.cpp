@@ -1,5 +1,7 @@
 #include "suffuse/answer/headlines.hpp"
 
+#include "suffuse/answer/samples_table.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -131,6 +133,16 @@ TEST(Headlines, OfASweepGoFromTheLeastToTheMostWithTheirDeviations) {
     EXPECT_EQ(headlines[0].value, "4.0 % to 20 %");
     EXPECT_EQ(headlines[0].detail, "at gradient 1 (± 1.4) and 3 (± 3)"); // 2/sqrt(2), 4/sqrt(2)
     EXPECT_EQ(headlines[0].samples, 2);
+}
+
+TEST(Headlines, OfASweepMarkThePointsThatAreUpperBounds) {
+    study::StudyOutcome outcome = swept(Result::FirstMovement, {{0.2}, {0.4}});
+    outcome.points[1].at_most.insert(Result::FirstMovement);
+    EXPECT_EQ(sweep_headlines(outcome, {}).at(0).value, "0.20 to ≤ 0.40");
+    const figures::PageTable table = tabulate_samples(outcome, {}).value();
+    EXPECT_EQ(table.rows[0][2], "0.20");
+    EXPECT_EQ(table.rows[1][2], "≤ 0.40");
+    EXPECT_EQ(table.note, "One sample each. ≤: motion had not ended when the gradient rose.");
 }
 
 TEST(Headlines, OfASweepWhoseEndsDifferNoMoreThanSeedsSayThatItIsTheSame) {

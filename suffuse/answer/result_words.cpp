@@ -56,6 +56,10 @@ std::string result_text(Result which, double value, const flow::Fluid& fluid) {
     throw Bug("a result without a text");
 }
 
+std::string mean_text(const study::OutcomePoint& point, Result which, const flow::Fluid& fluid, const char* bound) {
+    return (point.is_at_most(which) ? bound : "") + result_text(which, point.find(which)->mean, fluid);
+}
+
 std::string result_spread(Result which, const study::Scatter& value, const flow::Fluid& fluid) {
     const auto of_percent = [&] {
         constexpr double in_percent = 100;

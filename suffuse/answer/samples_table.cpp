@@ -90,7 +90,7 @@ std::string cell(const OutcomePoint& point, Result which, const flow::Fluid& flu
         return "–";
     }
     const std::string spread = result_spread(which, *value, fluid);
-    return result_text(which, value->mean, fluid) + (spread.empty() ? "" : " " + spread);
+    return mean_text(point, which, fluid) + (spread.empty() ? "" : " " + spread);
 }
 
 /// A number of the loose state, as reported with its deviation; "–" where no seed has it.
@@ -153,6 +153,10 @@ tabulate_samples(const StudyOutcome& outcome, const flow::Fluid& fluid, const st
     if (outcome.points.size() < outcome.all_points()) {
         table.note +=
             fmt::format(" {} of {} points have a finished stage.", outcome.points.size(), outcome.all_points());
+    }
+    const auto has_bound = [](const OutcomePoint& point) { return !point.at_most.empty(); };
+    if (std::ranges::any_of(outcome.points, has_bound)) {
+        table.note += " ≤: motion had not ended when the gradient rose.";
     }
     for (const std::string& key : outcome.keys) {
         table.header.push_back(study::key_in_words(key));

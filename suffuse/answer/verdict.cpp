@@ -64,7 +64,7 @@ bool has_numbers(const StudyOutcome& outcome) {
 std::string describe_result(const StudyOutcome& outcome, Result which, const flow::Fluid& fluid) {
     const study::SweepEffect effect = study::effect_of_sweep(outcome, which);
     const auto& [difference, first, last, least, most, points, fewest_samples, most_samples] = effect;
-    const auto text = [&](const OutcomePoint* point) { return result_text(which, point->find(which)->mean, fluid); };
+    const auto text = [&](const OutcomePoint* point) { return mean_text(*point, which, fluid, "at most "); };
     const std::string key = study::keys_in_words(outcome);
     const std::string of = points == outcome.all_points() ? "" : " (" + points_in_words(outcome, effect) + ")";
     const bool is_one_key = outcome.keys.size() == 1;

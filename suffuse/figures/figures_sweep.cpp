@@ -186,6 +186,19 @@ std::string how_to_read(const StudyOutcome& outcome, const study::SweepEffect& e
     );
 }
 
+/// Of results whose upper bounds look like any other dot.
+std::string which_are_bounds(const StudyOutcome& outcome, const std::vector<Result>& drawn) {
+    const auto points = std::ranges::count_if(outcome.points, [&](const OutcomePoint& point) {
+        return std::ranges::any_of(drawn, [&](Result which) { return point.is_at_most(which); });
+    });
+    return points == 0 ? ""
+                       : fmt::format(
+                             " At {} of {} points motion had not ended when the gradient rose: the value is an upper "
+                             "bound.",
+                             points, outcome.points.size()
+                         );
+}
+
 /// "Mass carried out: no measurable difference over the gradient": what the eye is to see.
 std::string claim(const StudyOutcome& outcome, Result which) {
     const std::string key = study::keys_in_words(outcome);
@@ -238,7 +251,8 @@ std::optional<Figure> sweep_result(const StudyOutcome& outcome) {
     figure.id = "own-sweep";
     figure.section = "Samples";
     figure.title = claim(outcome, *main);
-    figure.caption = how_to_read(outcome, study::effect_of_sweep(outcome, *main), is_words);
+    figure.caption =
+        how_to_read(outcome, study::effect_of_sweep(outcome, *main), is_words) + which_are_bounds(outcome, {*main});
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"width", 560},
@@ -254,6 +268,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     }
     SweepColumns columns;
     json panels = json::array();
+    std::vector<Result> drawn;
     study::SweepEffect shown{.fewest_samples = std::numeric_limits<int>::max()}; // what all panels stand for
     shown.points = outcome.all_points();
     for (int k = 0; k < study::results; ++k) {
@@ -264,6 +279,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
             shown.fewest_samples = std::min(shown.fewest_samples, effect.fewest_samples);
             shown.most_samples = std::max(shown.most_samples, effect.most_samples);
             columns.add(outcome, which);
+            drawn.push_back(which);
             panels.push_back(SweepColumns::title_of(study::scale_of(which)));
         }
     }
@@ -276,7 +292,8 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     figure.id = "own-sweep-multiples";
     figure.section = "Samples";
     figure.title = fmt::format("Other results over the {}", study::keys_in_words(outcome));
-    figure.caption = how_to_read(outcome, shown, is_words) + " Each panel has an axis of its own for its result.";
+    figure.caption = how_to_read(outcome, shown, is_words) + " Each panel has an axis of its own for its result." +
+                     which_are_bounds(outcome, drawn);
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"facet", {{"field", "result"}, {"type", "nominal"}, {"title", nullptr}, {"sort", panels}}},

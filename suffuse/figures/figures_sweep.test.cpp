@@ -38,6 +38,13 @@ TEST(SweepFigure, HasMeanBandAndEverySampleOverTheValuesAsWritten) {
     EXPECT_TRUE(explain_figure(figure.id));
 }
 
+TEST(SweepFigure, SaysAtHowManyPointsTheValueIsAnUpperBound) {
+    study::StudyOutcome outcome = swept({{"0.05", {0.01}}, {"2", {0.10}}});
+    EXPECT_EQ(sweep_result(outcome).value().caption.find("upper bound"), std::string::npos);
+    outcome.points.back().at_most.insert(Result::ErodedMass);
+    EXPECT_NE(sweep_result(outcome).value().caption.find("At 1 of 2 points motion had not ended"), std::string::npos);
+}
+
 TEST(SweepFigure, OverNumbersWithoutAUnitHasNoneInItsTitle) {
     const Figure figure = sweep_result(swept({{"0.05", {0.01}}, {"2", {0.10}}})).value();
     EXPECT_EQ(figure.table.numbers("value"), (std::vector<double>{0.05, 2}));

@@ -38,6 +38,10 @@ void compare_samples(MobilityStory& story) {
             return is_upper_bound(*mobility, moved);
         });
     }
+    story.ends_in_motion = std::ranges::any_of(story.of_sample, [](const MobilityResult* mobility) {
+        const std::span<const erosion::MobilityStep> ramp = steps_below_heave(*mobility);
+        return !mobility->moves_1 && !ramp.empty() && is_still_growing(ramp.back());
+    });
     story.heave = over_samples(story, [](const MobilityResult& m) { return m.heave_gradient; });
     story.skempton_brogan = over_samples(story, [](const MobilityResult& m) { return m.skempton_brogan_gradient; });
     story.fines_heave = over_samples(story, [](const MobilityResult& m) { return m.fines_heave_gradient; });

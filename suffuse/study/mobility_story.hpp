@@ -19,8 +19,9 @@ struct MobilityStory {
     std::vector<const erosion::MobilityResult*> of_sample; ///< at least one
     Scatter moves_1, moves_10, moves_50, heave;            ///< gradients; not a number where a sample has none [-]
     bool at_most_1 = false, at_most_10 = false, at_most_50 = false; ///< of one sample at least it is an upper bound
-    Scatter skempton_brogan, fines_heave;                           ///< gradients, likewise
-    Scatter alpha_fines;                                            ///< [-]
+    bool ends_in_motion = false; ///< of one sample at least the last gradient moved less than 1 %, and rose in motion
+    Scatter skempton_brogan, fines_heave;     ///< gradients, likewise
+    Scatter alpha_fines;                      ///< [-]
     Scatter safety;                           ///< factor of safety against the specified gradient, as moves_1 [-]
     Scatter moved_at_specified;               ///< share of the fines' mass [-]
     bool moved_at_specified_at_least = false; ///< of one sample at least it is a lower bound

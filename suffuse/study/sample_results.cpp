@@ -15,17 +15,22 @@ namespace {
 using Stages = std::vector<record::FinishedStage>;
 using Results = std::map<Result, double>;
 
-void add_mobility(const record::FinishedStage& stage, Results& to) {
+void add_mobility(const record::FinishedStage& stage, SampleResults& to) {
     const erosion::MobilityResult* const mobility = mobility_of(stage);
     if (mobility == nullptr) {
         return;
     }
+    const auto add = [&](Result which, double value) {
+        if (to.value.emplace(which, value).second && erosion::is_upper_bound(*mobility, 0.01)) {
+            to.at_most.insert(which);
+        }
+    };
     if (mobility->moves_1) {
-        to.emplace(Result::FirstMovement, *mobility->moves_1);
+        add(Result::FirstMovement, *mobility->moves_1);
     }
     const auto safety = specified_gradient(stage) ? erosion::factor_of_safety(*mobility) : std::nullopt;
     if (safety && safety->factor) {
-        to.emplace(Result::Safety, *safety->factor);
+        add(Result::Safety, *safety->factor);
     }
 }
 
@@ -140,20 +145,21 @@ Erosions erosions_of_sample(const Stages& stages, const casefile::Variant& sampl
                       }));
 }
 
-Results results_of_sample(const Stages& stages, const casefile::Variant& sample) {
-    Results found;
+SampleResults results_of_sample(const Stages& stages, const casefile::Variant& sample) {
+    SampleResults found;
+    Results& value = found.value;
     bool is_prepared = false;
     for (const record::FinishedStage& stage : stages) {
         if (stage.variant == &sample) {
-            add_state(stage, is_prepared, found);
+            add_state(stage, is_prepared, value);
             add_mobility(stage, found);
-            add_removal(stage, found);
-            add_test(stage, found);
-            add_flow(stage, found);
+            add_removal(stage, value);
+            add_test(stage, value);
+            add_flow(stage, value);
         }
     }
-    add_erosion(stages, sample, found);
-    add_migrations(stages, sample, found);
+    add_erosion(stages, sample, value);
+    add_migrations(stages, sample, value);
     return found;
 }
 

@@ -5,8 +5,12 @@
 
 namespace suffuse::study {
 
-std::map<Result, double>
-results_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);
+struct SampleResults {
+    std::map<Result, double> value;
+    std::set<Result> at_most; ///< of these: upper bounds, as motion had not ended when the gradient rose
+};
+
+SampleResults results_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);
 
 /// The first erosion of a sample, and those that follow it; empty where none eroded it.
 Erosions erosions_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);

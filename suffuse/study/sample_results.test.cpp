@@ -36,7 +36,7 @@ struct Migrations {
         }
     }
 
-    [[nodiscard]] std::map<Result, double> results() const { return results_of_sample(stages, variant); }
+    [[nodiscard]] std::map<Result, double> results() const { return results_of_sample(stages, variant).value; }
 };
 
 TEST(SampleResults, OfMigrationsThatFollowEachOtherAreOfAllOfThem) {
@@ -49,6 +49,24 @@ TEST(SampleResults, OfAMigrationEndWhereTheWaterBroughtFines) {
     const auto found = Migrations(0.3).results();
     EXPECT_NEAR(found.at(Result::ErodedMass), 0.1, 1e-12);
     EXPECT_NEAR(found.at(Result::PermeabilityChange), 1.5, 1e-12);
+}
+
+TEST(SampleResults, AreUpperBoundsWhereMotionHadNotEnded) {
+    for (const bool grew : {false, true}) {
+        casefile::Study study;
+        casefile::Variant variant;
+        casefile::Stage stage{.name = "up", .spec = erosion::DetachStageSpec{}};
+        record::FinishedStage finished{&study, &variant, &stage, {{"mean_stress", 1e5}, {"void_ratio", 0.5}}, {}};
+        erosion::MobilityResult& mobility = finished.findings.mobility.emplace();
+        mobility.ramp = {
+            {.gradient = 0.2, .mobile_mass_share = 0.002, .still_moving = grew ? 0.01 : 0},
+            {.gradient = 0.4, .mobile_mass_share = 0.2}};
+        mobility.moves_1 = erosion::gradient_that_moves(mobility, 0.01), mobility.specified_gradient = 0.1;
+        const SampleResults found = results_of_sample({finished}, variant);
+        const std::set<Result> both = {Result::Safety, Result::FirstMovement};
+        EXPECT_EQ(found.at_most, grew ? both : std::set<Result>{});
+        EXPECT_EQ(found.value.at(Result::FirstMovement), *mobility.moves_1);
+    }
 }
 
 TEST(SampleResults, OfARemovalThatCollapsesHaveNoStrain) {

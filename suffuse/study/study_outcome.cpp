@@ -14,18 +14,19 @@ namespace {
 using Stages = std::vector<record::FinishedStage>;
 
 OutcomePoint summed_up(OutcomePoint point, const Stages& stages, flow::Conductance conductance) {
-    std::vector<std::map<Result, double>> of_sample;
+    std::vector<SampleResults> of_sample;
     for (const casefile::Variant* sample : point.samples) {
         of_sample.push_back(results_of_sample(stages, *sample));
+        point.at_most.insert(of_sample.back().at_most.begin(), of_sample.back().at_most.end());
         if (const auto span = span_of(erosions_of_sample(stages, *sample), conductance)) {
             point.erosion = point.erosion ? joined(*point.erosion, *span) : *span;
         }
     }
     for (int k = 0; k < results; ++k) {
         std::vector<double> values;
-        for (const auto& numbers : of_sample) {
-            const auto found = numbers.find(static_cast<Result>(k));
-            values.push_back(found == numbers.end() ? std::nan("") : found->second);
+        for (const SampleResults& numbers : of_sample) {
+            const auto found = numbers.value.find(static_cast<Result>(k));
+            values.push_back(found == numbers.value.end() ? std::nan("") : found->second);
         }
         if (Scatter scatter = scatter_of(std::move(values)); scatter.seeds > 0) {
             point.result[static_cast<Result>(k)] = std::move(scatter);

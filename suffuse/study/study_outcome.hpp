@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,9 +49,12 @@ struct OutcomePoint {
     SweepPoint at;                                 ///< its values and seeds; without numbers
     std::vector<const casefile::Variant*> samples; ///< in the order of the seeds
     std::map<Result, Scatter> result;              ///< those that one sample at least has
-    std::optional<ErosionSpan> erosion;            ///< that the samples have in common; nothing where none was eroded
+    std::set<Result> at_most;           ///< of these: upper bounds, as in one sample at least motion had not ended
+    std::optional<ErosionSpan> erosion; ///< that the samples have in common; nothing where none was eroded
 
     [[nodiscard]] const Scatter* find(Result which) const;
+
+    [[nodiscard]] bool is_at_most(Result which) const { return at_most.contains(which); }
 };
 
 struct StudyOutcome {
