@@ -121,8 +121,14 @@ std::vector<ProbeResult> probe(
 void weigh(
     const dem::World& world, const ErodeSpec& spec, const Seeping& seeping, const Surroundings& around, PassResult& pass
 ) {
-    pass.mobility =
-        weigh_fines(world, gradients_up_to(spec.gradient), spec.gradient, spec.direction, spec.probe, around);
+    pass.mobility = weigh_fines(
+        world,
+        {.gradients = gradients_up_to(spec.gradient),
+         .direction = spec.direction,
+         .specified_gradient = spec.gradient,
+         .probe = spec.probe},
+        around
+    );
     pass.probe.gradient = spec.gradient;
     pass.probe.flow = seeping.source;
     pass.probe.time_step = pass.mobility->time_step;

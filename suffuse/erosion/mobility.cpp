@@ -129,103 +129,52 @@ void compare_with_weight(const WeighedCopy& copy, const UnitSeepage& water, doub
     }
 }
 
-/// The fines of a copy under a ramp, from where they rest.
-class Climb {
+/// The levels that are still ahead.
+RefinedRamp levels_ahead(const MobilityRamp& ramp, const MobilitySetting& setting) {
+    RefinedRamp levels(setting.gradients, ramp.result.heave_gradient, setting.specified_gradient);
+    for (const double share : ramp.tried) {
+        levels.take(share);
+    }
+    return levels;
+}
+
+/// The flow that pulls.
+UnitSeepage solve_as_it_was(const MobilityRamp& ramp, const WeighedCopy& copy, const SolveFlow& solve) {
+    dem::World then = ramp.world;
+    for (std::size_t k = 0; k < ramp.solved_at.size(); ++k) {
+        then.grains.position[copy.fines()[k]] = ramp.solved_at[k];
+    }
+    return solve(then);
+}
+
+/// One level of a ramp, on a copy of its fines.
+class Level {
 public:
-    Climb(
-        WeighedCopy& copy, const MobilitySetting& setting, const SolveFlow& solve, const WatchRamp& watch,
-        MobilityResult& result
+    Level(
+        WeighedCopy& copy, const MobilityRamp& ramp, const MobilitySetting& setting, const SolveFlow& solve,
+        const WatchRamp& watch
     )
-        : copy_(copy), result_(result), solve_(solve), watch_(watch), moved_(setting.motion.moved),
-          longest_hold_(setting.motion.hold_at_most),
+        : copy_(copy), so_far_(ramp.result), rest_(ramp.rest), solve_(solve), watch_(watch),
+          moved_(setting.motion.moved), longest_hold_(setting.motion.hold_at_most),
           strength_(setting.gravity.acceleration / suffuse::gravity), // the flow is of standard gravity
-          rest_(copy.positions()), ramp_(setting.gradients, result.heave_gradient, setting.specified_gradient) {}
-
-    void go(const Pulse& pulse) {
-        solve();
-        result_.flow = water_.flow.source;
-        compare_with_weight(copy_, water_.flow, strength_, result_);
-        WeighedCopy::State below = copy_.state();
-        Water water_below = water_;
-        while (const std::optional<double> gradient = ramp_.next()) {
-            const MobilityStep step = bear(*gradient, note_level(pulse, *gradient));
-            if (!ramp_.take(step.mobile_mass_share)) {
-                std::ranges::replace(result_.mobile_gradient, *gradient, std::numeric_limits<double>::quiet_NaN());
-                copy_.go_back(below);
-                water_ = water_below;
-                continue;
-            }
-            result_.ramp.push_back(step);
-            if (ramp_.next()) {
-                below = copy_.state();
-                follow();
-                water_below = water_;
-            }
-        }
-    }
-
-private:
-    [[nodiscard]] Pulse note_level(const Pulse& pulse, double gradient) const {
-        const std::size_t count = ramp_.given_count() - ramp_.given_left() + 1;
-        return [&pulse, gradient, count, all = ramp_.given_count()](std::string_view, long long steps) {
-            beat(pulse, fmt::format("gradient {:.3g}, {} of {}", gradient, count, all), steps);
-        };
-    }
-
-    struct Water {
-        UnitSeepage flow;
-        std::vector<Vec3> around; ///< fines where it was solved
-    };
-
-    void solve() { water_ = {solve_(copy_.world()), copy_.positions()}; }
-
-    /// Solves the flow through the fines as they lie now, where enough of them lie elsewhere.
-    bool follow() {
-        double moved = 0, all = 0;
-        for (std::size_t k = 0; k < rest_.size(); ++k) {
-            const double diameters = norm(copy_.position(k) - water_.around[k]) / result_.diameter[k];
-            moved += result_.mass[k] * std::min(1.0, diameters);
-            all += result_.mass[k];
-        }
-        const bool is_old = is_flow_old(moved / all);
-        if (is_old) {
-            solve();
-        }
-        return is_old;
-    }
-
-    [[nodiscard]] double longest_hold(double gradient, double mobile_share) const {
-        if (floats(result_, gradient)) {
-            return hold_burst; // what moves there counts for nothing
-        }
-        const double below = result_.ramp.empty() ? 0 : result_.ramp.back().gradient;
-        const double share = share_of_hold(mobile_share, gradient - below);
-        return share < 1 ? std::max(hold_burst, share * longest_hold_) : longest_hold_;
-    }
-
-    [[nodiscard]] double advance(std::size_t k) const {
-        return dot(copy_.position(k) - rest_[k], result_.direction) / result_.diameter[k];
-    }
-
-    [[nodiscard]] bool is_mobile(std::size_t k) const { return !std::isnan(result_.mobile_gradient[k]); }
+          mobile_gradient_(ramp.result.mobile_gradient), water_(*ramp.water), solved_at_(ramp.solved_at) {}
 
     /// Holds one gradient until nothing new advances, or until it is known to be undone, and enters what is mobile. The
     /// flow follows the fines.
-    MobilityStep bear(double gradient, const Pulse& pulse) {
-        MobilityStep step{.gradient = gradient, .permeability = water_.flow.permeability};
+    MobilityStep bear(double gradient, std::optional<double> undone_at, const Pulse& pulse) {
+        MobilityStep step{.gradient = gradient, .permeability = water_.permeability};
         std::vector<double> furthest;
         for (std::size_t k = 0; k < rest_.size(); ++k) {
             furthest.push_back(advance(k));
         }
         const auto mobile = [&](std::size_t k) { return is_mobile(k); };
-        const double undone_at = ramp_.undone_at().value_or(std::numeric_limits<double>::infinity());
         int bursts = 0; // of the flow
-        copy_.load(water_.flow.force, gradient * strength_);
-        const double longest = longest_hold(gradient, mass_share(result_, mobile));
+        copy_.load(water_.force, gradient * strength_);
+        const double longest = longest_hold(gradient, mass_share(so_far_, mobile));
         for (bool holds_on = copy_.free_count() > 0; holds_on && step.held_for < longest;) {
             if (bursts++ == bursts_of_a_flow) {
                 if (follow()) {
-                    copy_.load(water_.flow.force, gradient * strength_);
+                    copy_.load(water_.force, gradient * strength_);
                 }
                 bursts = 1;
             }
@@ -236,56 +185,139 @@ private:
             for (std::size_t k = 0; k < rest_.size(); ++k) {
                 const double now = advance(k);
                 if (!is_mobile(k) && now > moved_) {
-                    result_.mobile_gradient[k] = gradient;
+                    mobile_gradient_[k] = gradient;
                 }
                 advancing += !is_mobile(k) && goes_on(now, furthest[k]) ? 1 : 0;
                 furthest[k] = std::max(furthest[k], now);
             }
             step.still_moving = static_cast<double>(advancing) / static_cast<double>(rest_.size());
-            step.mobile_mass_share = mass_share(result_, mobile);
+            step.mobile_mass_share = mass_share(so_far_, mobile);
             if (watch_) {
-                watch_(result_.ramp, step);
+                watch_(so_far_.ramp, step);
             }
-            holds_on = is_still_growing(step) && step.mobile_mass_share < undone_at;
+            holds_on = is_still_growing(step) && !(undone_at && step.mobile_mass_share >= *undone_at);
         }
-        const auto count = std::ranges::count_if(result_.mobile_gradient, [](double i) { return !std::isnan(i); });
+        const auto count = std::ranges::count_if(mobile_gradient_, [](double i) { return !std::isnan(i); });
         step.mobile_number_share = static_cast<double>(count) / static_cast<double>(rest_.size());
-        step.mobile_mass_share = mass_share(result_, mobile);
-        step.lifted_mass_share = mass_share(result_, [&](std::size_t k) { return is_lifted(advance(k)); });
-        step.displaced_mass_share = mass_share(result_, [&](std::size_t k) {
-            return norm(copy_.position(k) - rest_[k]) > moved_ * result_.diameter[k];
+        step.mobile_mass_share = mass_share(so_far_, mobile);
+        step.lifted_mass_share = mass_share(so_far_, [&](std::size_t k) { return is_lifted(advance(k)); });
+        step.displaced_mass_share = mass_share(so_far_, [&](std::size_t k) {
+            return norm(copy_.position(k) - rest_[k]) > moved_ * so_far_.diameter[k];
         });
         return step;
     }
 
+    /// The next level, if there is one, goes on from where this one has left the fines.
+    void keep(const MobilityStep& step, bool is_last, MobilityRamp& ramp) {
+        ramp.world = copy_.whole();
+        if (!is_last) {
+            follow();
+        }
+        ramp.result.ramp.push_back(step);
+        ramp.result.mobile_gradient = std::move(mobile_gradient_);
+        ramp.solved_at = std::move(solved_at_);
+        ramp.water = std::move(water_);
+    }
+
+private:
+    /// Solves the flow through the fines as they lie now, where enough of them lie elsewhere.
+    bool follow() {
+        double moved = 0, all = 0;
+        for (std::size_t k = 0; k < rest_.size(); ++k) {
+            const double diameters = norm(copy_.position(k) - solved_at_[k]) / so_far_.diameter[k];
+            moved += so_far_.mass[k] * std::min(1.0, diameters);
+            all += so_far_.mass[k];
+        }
+        const bool is_old = is_flow_old(moved / all);
+        if (is_old) {
+            water_ = solve_(copy_.world()), solved_at_ = copy_.positions();
+        }
+        return is_old;
+    }
+
+    [[nodiscard]] double longest_hold(double gradient, double mobile_share) const {
+        if (floats(so_far_, gradient)) {
+            return hold_burst; // what moves there counts for nothing
+        }
+        const double below = so_far_.ramp.empty() ? 0 : so_far_.ramp.back().gradient;
+        const double share = share_of_hold(mobile_share, gradient - below);
+        return share < 1 ? std::max(hold_burst, share * longest_hold_) : longest_hold_;
+    }
+
+    [[nodiscard]] double advance(std::size_t k) const {
+        return dot(copy_.position(k) - rest_[k], so_far_.direction) / so_far_.diameter[k];
+    }
+
+    [[nodiscard]] bool is_mobile(std::size_t k) const { return !std::isnan(mobile_gradient_[k]); }
+
     WeighedCopy& copy_;
-    MobilityResult& result_;
+    const MobilityResult& so_far_;
+    const std::vector<Vec3>& rest_;
     const SolveFlow& solve_;
     const WatchRamp& watch_;
     double moved_, longest_hold_, strength_;
-    std::vector<Vec3> rest_; ///< where the fines rested
-    RefinedRamp ramp_;
-    Water water_; ///< that pulls
+    std::vector<double> mobile_gradient_;
+    UnitSeepage water_; ///< that pulls
+    std::vector<Vec3> solved_at_;
 };
 
 } // namespace
+
+MobilityRamp
+begin_ramp(const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse) {
+    check(equilibrium, setting);
+    WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.motion);
+    MobilityRamp ramp{.scale = copy.scale(), .result = describe(equilibrium, setting, copy)};
+    check_heave(ramp.result, setting);
+    lay_to_rest(copy, setting.gravity.down, pulse, ramp.result);
+    ramp.rest = ramp.solved_at = copy.positions();
+    ramp.water = solve(copy.world());
+    ramp.result.flow = ramp.water->source;
+    compare_with_weight(copy, *ramp.water, setting.gravity.acceleration / suffuse::gravity, ramp.result);
+    ramp.world = copy.whole();
+    return ramp;
+}
+
+void climb(
+    MobilityRamp& ramp, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse,
+    const WatchRamp& watch
+) {
+    RefinedRamp levels = levels_ahead(ramp, setting);
+    const double gradient = levels.next().value();
+    const std::string part = fmt::format(
+        "gradient {:.3g}, {} of {}", gradient, levels.given_count() - levels.given_left() + 1, levels.given_count()
+    );
+    const std::int64_t before = ramp.result.rest_steps + ramp.result.ramp_steps;
+    const Pulse of_level = [&](std::string_view, long long steps) { beat(pulse, part, before + steps); };
+    WeighedCopy copy(ramp.world, ramp.scale, buoyant_weights(ramp.world, setting.gravity, setting.fluid));
+    if (!ramp.water) {
+        ramp.water = solve_as_it_was(ramp, copy, solve);
+    }
+    Level level(copy, ramp, setting, solve, watch);
+    const MobilityStep step = level.bear(gradient, levels.undone_at(), of_level);
+    const bool is_kept = levels.take(step.mobile_mass_share);
+    if (is_kept) {
+        level.keep(step, !levels.next(), ramp);
+    }
+    ramp.over = !levels.next();
+    ramp.tried.push_back(step.mobile_mass_share);
+    MobilityResult& result = ramp.result;
+    result.ramp_steps += copy.steps();
+    result.time_step = copy.time_step();
+    result.moves_1 = gradient_that_moves(result, 0.01);
+    result.moves_10 = gradient_that_moves(result, 0.1);
+    result.moves_50 = gradient_that_moves(result, 0.5);
+}
 
 MobilityResult find_mobility(
     const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse,
     const WatchRamp& watch
 ) {
-    check(equilibrium, setting);
-    WeighedCopy copy(equilibrium, buoyant_weights(equilibrium, setting.gravity, setting.fluid), setting.motion);
-    MobilityResult result = describe(equilibrium, setting, copy);
-    check_heave(result, setting);
-    lay_to_rest(copy, setting.gravity.down, pulse, result);
-    Climb(copy, setting, solve, watch, result).go(pulse);
-    result.ramp_steps = copy.steps() - result.rest_steps;
-    result.time_step = copy.time_step();
-    result.moves_1 = gradient_that_moves(result, 0.01);
-    result.moves_10 = gradient_that_moves(result, 0.1);
-    result.moves_50 = gradient_that_moves(result, 0.5);
-    return result;
+    MobilityRamp ramp = begin_ramp(equilibrium, setting, solve, pulse);
+    while (!ramp.over) {
+        climb(ramp, setting, solve, pulse, watch);
+    }
+    return std::move(ramp.result);
 }
 
 void mark_leaving(MobilityResult& mobility, std::span<const std::uint8_t> passes) {

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,31 @@ struct MobilitySetting {
     std::optional<double> specified_gradient;
 };
 
+/// Fines under a ramp, between two of its levels: all that they go on from, to the same bits.
+struct MobilityRamp {
+    dem::World world; ///< as the last level that was kept has left it; what is held carries the skeleton
+    WeightScale scale;
+    MobilityResult result;            ///< so far
+    std::vector<double> tried;        ///< mobile share of the mass at each level so far, undone ones too
+    std::vector<Vec3> rest;           ///< of the fines, before the water pulled
+    std::vector<Vec3> solved_at;      ///< of the fines, where the flow was solved that pulls
+    std::optional<UnitSeepage> water; ///< that flow; nothing: it is solved anew
+    bool over = false;                ///< all gradients were borne
+};
+
+/// Lays the fines to rest under their weight.
 /// @throws CaseError, StateError for a setting or sample that cannot be; and what `solve` throws
+MobilityRamp begin_ramp(
+    const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {}
+);
+
+/// Bears the next level. A pulse that throws leaves the ramp as it was before the call. @pre it is not over
+void climb(
+    MobilityRamp& ramp, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {},
+    const WatchRamp& watch = {}
+);
+
+/// The whole ramp. @throws as begin_ramp
 MobilityResult find_mobility(
     const dem::World& equilibrium, const MobilitySetting& setting, const SolveFlow& solve, const Pulse& pulse = {},
     const WatchRamp& watch = {}

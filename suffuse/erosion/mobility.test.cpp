@@ -344,6 +344,27 @@ TEST(Mobility, OfAGrainThatBearsTheSkeletonsLoadIsNotNeeded) {
     EXPECT_EQ(result.ramp.back().mobile_mass_share, 0);
 }
 
+TEST(Mobility, GoesOnFromAnyLevelToTheSameBits) {
+    const Pocket pocket(1);
+    const MobilitySetting setting{.direction = {0, 0, 1}, .gradients = {0.5 / unit, 0.9 / unit, 2 / unit}};
+    const SolveFlow solve = pull_along(pocket, setting.direction);
+    const MobilityResult whole = find_mobility(pocket.world, setting, solve);
+    MobilityRamp ramp = begin_ramp(pocket.world, setting, solve);
+    while (!ramp.over) {
+        const Pulse stop = [](std::string_view, long long) { throw std::runtime_error("stop"); };
+        const std::size_t tried = ramp.tried.size();
+        EXPECT_THROW(climb(ramp, setting, solve, stop), std::runtime_error);
+        EXPECT_EQ(ramp.tried.size(), tried) << "as it was";
+        ramp.water.reset(); // is not saved
+        climb(ramp, setting, solve);
+    }
+    EXPECT_EQ(ramp.result.ramp.size(), whole.ramp.size());
+    EXPECT_EQ(ramp.result.mobile_gradient, whole.mobile_gradient);
+    EXPECT_EQ(ramp.result.ramp_steps, whole.ramp_steps);
+    EXPECT_EQ(ramp.result.moves_10, whole.moves_10);
+    EXPECT_GT(ramp.tried.size(), whole.ramp.size()) << "some were undone";
+}
+
 TEST(Mobility, HasTheSameBitsForAnyNumberOfThreads) {
     const Pocket pocket(1);
     const MobilitySetting setting{.direction = {-1, 0, 0}, .gradients = {0.2 / unit, 0.5 / unit}};

@@ -133,21 +133,6 @@ dem::World WeighedCopy::whole() {
     return whole;
 }
 
-WeighedCopy::State WeighedCopy::state() {
-    wake();
-    return {world_, steps_};
-}
-
-void WeighedCopy::go_back(const State& state) {
-    undone_steps_ += steps_ - state.steps;
-    world_ = state.world;
-    resting_ = {};
-    some_sleep_ = false;
-    steps_ = state.steps;
-    caches_ = {};
-    caches_.neighborhood.leave_out_held_pairs();
-}
-
 std::vector<Vec3> WeighedCopy::positions() const {
     std::vector<Vec3> positions;
     positions.reserve(fines_.size());

@@ -48,18 +48,8 @@ public:
     /// Moves on under the load, for a time in units of scale().time.
     void hold(double time, const Pulse& pulse, std::string_view part);
 
-    /// All that a later motion depends on.
-    struct State {
-        dem::World world;
-        std::int64_t steps = 0;
-    };
-
-    [[nodiscard]] State state(); ///< all are awake
-
-    /// Goes back to a state of this copy: what moves from there moves to the same bits.
-    void go_back(const State& state);
-
-    /// All are awake. @return the world with the skeleton's own contacts, which world() lacks
+    /// All are awake. @return the world with the skeleton's own contacts, which world() lacks: what moves on from there
+    /// moves to the same bits
     [[nodiscard]] dem::World whole();
 
     [[nodiscard]] const dem::World& world() const { return world_; }
@@ -68,7 +58,7 @@ public:
 
     [[nodiscard]] double time_step() const { return step_.time_step; }
 
-    [[nodiscard]] std::int64_t steps() const { return steps_ + undone_steps_; } ///< made so far, undone ones too
+    [[nodiscard]] std::int64_t steps() const { return steps_; } ///< made so far
 
     /// Of row `g` of the grain table [N].
     [[nodiscard]] const Vec3& weight(std::uint32_t g) const { return weight_[g]; }
@@ -104,7 +94,7 @@ private:
     double damping_ = 0;    ///< local [-]
     double loaded_for_ = 0; ///< in units of scale().time
     dem::ComputedStep step_;
-    std::int64_t steps_ = 0, undone_steps_ = 0;
+    std::int64_t steps_ = 0;
 };
 
 } // namespace suffuse::erosion

@@ -9,31 +9,42 @@
 
 namespace suffuse::erosion {
 
-MobilityResult weigh_fines(
-    const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
-    const ProbeSpec& probe, const Surroundings& around, const WatchRamp& watch
-) {
+namespace {
+
+SolveFlow flow_along(const Vec3& direction, const ProbeSpec& probe, const Surroundings& around) {
     flow::SolverChoice how = probe.flow;
     if (flow::resolves(how)) {
         how.solver = flow::Solver::Resolved; // one flow gives the forces
     }
-    const SolveFlow solve = [&](const dem::World& copy) {
+    return [how, direction, &around](const dem::World& copy) {
         const stokes::Water water = stokes::solve_water(
             copy.cell, copy.grains.position, copy.grains.radius, copy.grains.fine, {1, direction}, around.fluid, how,
             around.pulse
         );
         return UnitSeepage{water.grain_force(), water.source, water.permeability()};
     };
-    return find_mobility(
-        world,
-        {.gravity = *probe.gravity,
-         .fluid = around.fluid,
-         .direction = direction,
-         .gradients = std::move(gradients),
-         .motion = probe.weighed,
-         .specified_gradient = specified},
-        solve, around.pulse, watch
-    );
+}
+
+MobilitySetting setting_of(const DetachStageSpec& spec, const Surroundings& around) {
+    return {
+        .gravity = *spec.probe.gravity,
+        .fluid = around.fluid,
+        .direction = spec.direction,
+        .gradients = spec.gradients,
+        .motion = spec.probe.weighed,
+        .specified_gradient = spec.specified_gradient};
+}
+
+/// Rows in the order in which the flow is solved and fines are named.
+dem::World sorted(dem::World world) {
+    dem::sort_along_curve(world);
+    return world;
+}
+
+} // namespace
+
+MobilityResult weigh_fines(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
+    return find_mobility(world, setting_of(spec, around), flow_along(spec.direction, spec.probe, around), around.pulse);
 }
 
 void mark_leaving(
@@ -65,15 +76,21 @@ std::vector<std::uint32_t> mobile_rows(const dem::World& world, const MobilityRe
     return rows;
 }
 
-MobilityResult probe_mobility(
-    const dem::World& world, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch
-) {
-    dem::World sorted = world;
-    dem::sort_along_curve(sorted);
-    MobilityResult mobility =
-        weigh_fines(sorted, spec.gradients, spec.specified_gradient, spec.direction, spec.probe, around, watch);
+MobilityRamp begin_detach(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around) {
+    return begin_ramp(
+        sorted(world), setting_of(spec, around), flow_along(spec.direction, spec.probe, around), around.pulse
+    );
+}
+
+void climb(MobilityRamp& ramp, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch) {
+    climb(ramp, setting_of(spec, around), flow_along(spec.direction, spec.probe, around), around.pulse, watch);
+}
+
+MobilityResult detached(const MobilityRamp& ramp, const dem::World& world, const DetachStageSpec& spec) {
+    MobilityResult mobility = ramp.result;
+    const dem::World rows = sorted(world);
     try {
-        mark_leaving(sorted, measure_coarse_skeleton(sorted, spec.direction, false), ConstrictionSize::Mean, mobility);
+        mark_leaving(rows, measure_coarse_skeleton(rows, spec.direction, false), ConstrictionSize::Mean, mobility);
     } catch (const GeometryError&) {
         // too few coarse grains for constrictions: no share that leaves
     }

@@ -8,12 +8,8 @@
 
 namespace suffuse::erosion {
 
-/// Of the fines under `probe.gravity`, while the gradient rises through `gradients`.
-/// @param specified the gradient that the soil has to bear, if any @param watch sees the ramp as it goes
-MobilityResult weigh_fines(
-    const dem::World& world, std::vector<double> gradients, std::optional<double> specified, const Vec3& direction,
-    const ProbeSpec& probe, const Surroundings& around, const WatchRamp& watch = {}
-);
+/// Of the fines under `probe.gravity`, while the gradient rises.
+MobilityResult weigh_fines(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);
 
 /// Enters which of the mobile fines leave. Where they travel that is not known before they do.
 void mark_leaving(
@@ -23,9 +19,14 @@ void mark_leaving(
 /// Rows of the mobile fines.
 std::vector<std::uint32_t> mobile_rows(const dem::World& world, const MobilityResult& mobility);
 
-/// `do = "detach"` with weight: nothing is removed.
-MobilityResult probe_mobility(
-    const dem::World& world, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch = {}
-);
+// `do = "detach"` with weight: nothing is removed.
+
+MobilityRamp begin_detach(const dem::World& world, const DetachStageSpec& spec, const Surroundings& around);
+
+/// Bears the next level, as climb() of mobility.hpp. @pre it is not over
+void climb(MobilityRamp& ramp, const DetachStageSpec& spec, const Surroundings& around, const WatchRamp& watch = {});
+
+/// What the ramp has found, with what leaves. @param world that it began with
+MobilityResult detached(const MobilityRamp& ramp, const dem::World& world, const DetachStageSpec& spec);
 
 } // namespace suffuse::erosion

@@ -210,6 +210,9 @@ void from_json(const nlohmann::json& json, RemovalResult& of) {
     json.at("asked_mass").get_to(of.requested_mass);
 }
 SUFFUSE_MEMBERS(WeightScale, factor, acceleration, time, drag)
+SUFFUSE_MEMBERS( // but for the world, which is saved as a state, and the flow, which is solved anew
+    MobilityRamp, scale, result, tried, rest, solved_at, over
+)
 SUFFUSE_MEMBERS(Stack, length, face, interface, base_grain, filter_grain, exit)
 SUFFUSE_MEMBERS(LayerHeads, base, filter, interface)
 SUFFUSE_MEMBERS(BaseProfile, first, step, filter, base)

@@ -4,6 +4,7 @@
 
 #include "suffuse/dem/settle.hpp"
 #include "suffuse/erosion/migration.hpp"
+#include "suffuse/erosion/mobility.hpp"
 #include "suffuse/erosion/pass_under_way.hpp"
 #include "suffuse/erosion/removal.hpp"
 #include "suffuse/packing/compact.hpp"
@@ -104,6 +105,7 @@ NLOHMANN_JSON_SERIALIZE_ENUM(Fate, {{Fate::Left, "left"}, {Fate::Lodged, "lodged
 SUFFUSE_AS_JSON(Transport)
 SUFFUSE_AS_JSON(MobilityStep)
 SUFFUSE_AS_JSON(MobilityResult)
+SUFFUSE_AS_JSON(MobilityRamp)
 SUFFUSE_AS_JSON(PassResult)
 SUFFUSE_AS_JSON(ErosionResult)
 SUFFUSE_AS_JSON(Resettlement)

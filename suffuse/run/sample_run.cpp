@@ -68,7 +68,7 @@ void take_up(StageWork& work) {
         if (record::compare_keys(saved.value("key", ""), work.key) == record::SameStage::No) {
             left.refuse_other();
         }
-        work.world = std::move(partial.world);
+        work.start = std::exchange(work.world, std::move(partial.world));
         work.pictures = StrainPictures(work.what.output, work.folder, work.world);
         work.history.restore(saved.at("history"));
         work.grain_steps = saved.at("grain_steps");

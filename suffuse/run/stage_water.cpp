@@ -28,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace suffuse::run {
 namespace {
@@ -151,8 +152,19 @@ json ramp_to_show(std::span<const erosion::MobilityStep> kept, const erosion::Mo
 void detach_with_weight(StageWork& work, const erosion::DetachStageSpec& spec) {
     const erosion::WatchRamp watch = [&](std::span<const erosion::MobilityStep> kept, const erosion::MobilityStep& held
                                      ) { work.control.show_numbers(ramp_to_show(kept, held)); };
-    const erosion::MobilityResult& mobility =
-        work.findings.mobility.emplace(erosion::probe_mobility(work.world, spec, work.surroundings(), watch));
+    const erosion::Surroundings around = work.surroundings();
+    erosion::MobilityRamp ramp;
+    if (work.resumed.is_null()) {
+        ramp = erosion::begin_detach(work.world, spec, around);
+    } else {
+        ramp = work.resumed.at("ramp").get<erosion::MobilityRamp>();
+        ramp.world = std::exchange(work.world, std::move(work.start).value());
+    }
+    work.control.save_with([&] { work.save_partial({{"ramp", ramp}}, ramp.world); });
+    while (!ramp.over) {
+        erosion::climb(ramp, spec, around, watch);
+    }
+    const erosion::MobilityResult& mobility = work.findings.mobility.emplace(erosion::detached(ramp, work.world, spec));
     work.numbers.update(mobility_numbers(mobility));
     work.numbers.update(record::facts_json(facts::flow_source, mobility.flow));
     note_network(

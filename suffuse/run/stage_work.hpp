@@ -65,8 +65,9 @@ struct StageWork {
 
     void save_partial(const nlohmann::json& state) const { save_partial(state, world); }
 
-    nlohmann::json resumed;      ///< null: from the start
-    bool has_two_makers = false; ///< another version of the program began it: no result of this one alone
+    nlohmann::json resumed;          ///< null: from the start
+    std::optional<dem::World> start; ///< what it began with, where it goes on from another world
+    bool has_two_makers = false;     ///< another version of the program began it: no result of this one alone
     const erosion::OwnRule* own_rule = nullptr; ///< that decides what detaches, in place of the case's
     std::string start_state; ///< describe_state of what it starts from; empty where it makes its own sample
     std::string key;         ///< key_of_stage: every file that the stage leaves is known by it
