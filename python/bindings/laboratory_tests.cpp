@@ -75,7 +75,7 @@ py::dict run_test(Stepping& call, triaxial::TriaxialSpec spec, const Pace& pace)
             attention.beat("shear", state.steps);
         }
     }
-    warn_caller(run::words_on_hold(state.rows, spec.path));
+    warn_caller(run::words_on_hold(state.rows, spec));
     nlohmann::json result = run::laboratory_numbers(spec, state.rows);
     if (result.empty()) {
         result["response"] = triaxial::summarize(state.rows, spec);

@@ -197,6 +197,38 @@ TEST(StrengthChange, LeavesOutTestsThatAreNoneAndSaysSo) {
     );
 }
 
+/// A study whose sample is compressed as it is, and after it has gone through `between` and an erosion.
+ErodedStudy eroded_after(casefile::StageSpec between, const json& state) {
+    ErodedStudy study;
+    study.add_sample(400e3, 300e3);
+    casefile::Variant& variant = study.variants.back();
+    variant.stages[1].parent = 4;
+    variant.stages.push_back({.name = "between", .spec = std::move(between), .parent = 0});
+    for (std::size_t k = 0; k < variant.stages.size() - 1; ++k) { // they have moved
+        study.stages[k].stage = &variant.stages[k];
+    }
+    study.stages.push_back({&study.study, &variant, &variant.stages.back(), state, {}});
+    return study;
+}
+
+TEST(StrengthChange, IsNotThatOfAnotherStressThatWasReachedBeforeTheErosion) {
+    ErodedStudy study = eroded_after(dem::SettleSpec{}, ErodedStudy::state(0.72, 50e3));
+    study.stages[1].numbers.update(ErodedStudy::state(0.9, 50e3));
+    EXPECT_EQ(
+        study::compare_strength(study.stages).at(0).remarks,
+        std::vector<std::string>{"not compared, for after starts from 50 kPa, not from 100 kPa"}
+    );
+}
+
+TEST(StrengthChange, IsOfNoPairWhereTheSampleWasExtendedBefore) {
+    for (const auto direction : {triaxial::Direction::Compression, triaxial::Direction::Extension}) {
+        triaxial::TriaxialSpec part{.deviator_stress = 30e3};
+        part.direction = direction;
+        const ErodedStudy study = eroded_after(part, ErodedStudy::state(0.72));
+        EXPECT_EQ(study::compare_strength(study.stages).empty(), direction == triaxial::Direction::Extension);
+    }
+}
+
 TEST(StrengthChange, RemarksOnWhatItsTestsDoNotShow) {
     ErodedStudy study;
     study.add_sample(400e3, 300e3);

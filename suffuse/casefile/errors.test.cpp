@@ -99,6 +99,8 @@ const std::vector<Wrong> keys = {
     {"E207", 15, 1, 19, "gives no amplitude", with_stage("do = \"cyclic\"\n")},
     {"E207", 15, 1, 19, "a stress and a strain as its amplitude",
      with_stage("do = \"cyclic\"\ncsr = 0.2\nstrain_amplitude = \"1 %\"\n")},
+    {"E207", 15, 1, 19, "imposes 6 % of strain from turn to turn, and would end at 5 % of it",
+     with_stage("do = \"cyclic\"\nstrain_amplitude = \"3 %\"\n")},
     {"E312", 18, 7, 1, "`csr`", with_stage("do = \"cyclic\"\ncsr = 0\n")},
     {"E201", 15, 1, 19, "`stresses`", with_stage("do = \"oedometer\"\n")},
     {"E201", 11, 1, 19, "needs `pressure`", with_line(14, "")},

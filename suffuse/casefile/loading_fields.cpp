@@ -314,6 +314,18 @@ void check_cycles(Reader& v, const triaxial::CyclicSpec& s) {
             fmt::format("{} gives {} amplitude", v.title(), s.cycles->csr ? "a stress and a strain as its" : "no"),
             "give either csr = 0.2 (amplitude of q over twice the mean stress) or strain_amplitude = \"0.1 %\""
         );
+    } else if (s.cycles->strain && 2 * *s.cycles->strain >= s.cycles->double_amplitude) {
+        v.error(
+            "E207", v.place(),
+            fmt::format(
+                "{} imposes {:.3g} % of strain from turn to turn, and would end at {:.3g} % of it, whatever the soil "
+                "does",
+                v.title(), 200 * *s.cycles->strain, 100 * s.cycles->double_amplitude
+            ),
+            fmt::format(
+                "add until = {{ double_amplitude = \"{:.3g} %\" }}, or lower strain_amplitude", 400 * *s.cycles->strain
+            )
+        );
     }
 }
 

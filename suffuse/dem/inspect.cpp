@@ -12,6 +12,10 @@ namespace suffuse::dem {
 
 namespace {
 
+bool is_bonded(const contact::Contacts& contacts, std::size_t c) {
+    return !contacts.bonded.empty() && contacts.bonded[c] != 0;
+}
+
 ContactView view_of(const World& world, std::size_t c) {
     const contact::Contacts& contacts = world.contacts;
     const std::uint32_t i = contacts.first[c], j = contacts.second[c];
@@ -21,7 +25,15 @@ ContactView view_of(const World& world, std::size_t c) {
     if (contacts.twisting.size() > 0) {
         moment += contacts.twisting[c];
     }
-    return {i, j, contacts.image[c], contacts.overlap[c], n, -push * n, -contacts.shear_force[c], -moment};
+    return {i,
+            j,
+            contacts.image[c],
+            contacts.overlap[c],
+            n,
+            -push * n,
+            -contacts.shear_force[c],
+            -moment,
+            is_bonded(contacts, c)};
 }
 
 bool has_reached(const Vec3& v, double limit) {
@@ -51,8 +63,9 @@ ContactsAtLimit find_contacts_at_limit(const World& world) {
         }
         const double push = contact::normal_force(world.grains, contacts, world.material, c);
         const double r1 = world.grains.radius[contacts.first[c]], r2 = world.grains.radius[contacts.second[c]];
-        const bool bonded = !contacts.bonded.empty() && contacts.bonded[c] != 0;
-        found.sliding.push_back(!bonded && has_reached(contacts.shear_force[c], law.tan_friction * push) ? 1 : 0);
+        found.sliding.push_back(
+            !is_bonded(contacts, c) && has_reached(contacts.shear_force[c], law.tan_friction * push) ? 1 : 0
+        );
         const double most_bending = law.rolling_limit * std::min(r1, r2) * std::abs(push);
         found.rolling.push_back(has_reached(contacts.bending[c], most_bending) ? 1 : 0);
     }

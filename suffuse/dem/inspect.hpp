@@ -13,11 +13,12 @@ namespace suffuse::dem {
 struct ContactView {
     std::uint32_t i = 0, j = 0;
     cell::Image image;
-    double overlap = 0; ///< [m]
-    Vec3 normal;        ///< from i to j [-]
-    Vec3 normal_force;  ///< on i [N]
-    Vec3 shear_force;   ///< on i [N]
-    Vec3 moment;        ///< bending and twisting, on i [N m]
+    double overlap = 0;     ///< [m]
+    Vec3 normal;            ///< from i to j [-]
+    Vec3 normal_force;      ///< on i [N]
+    Vec3 shear_force;       ///< on i [N]
+    Vec3 moment;            ///< bending and twisting, on i [N m]
+    bool is_bonded = false; ///< adhesion holds it
 };
 
 std::vector<ContactView> inspect_contacts(const World& world);

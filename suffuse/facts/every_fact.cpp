@@ -254,7 +254,7 @@ const std::vector<Fact> of_remove = {
     {"volumetric_strain", "-", "of all passes", ""},
     {"porosity_before", "-", "before the first pass", ""},
     {"porosity_after_removal", "-", "before the skeleton moves in the last pass", ""},
-    {"failed", "", "whether an edge strained by more than `max_strain`", ""},
+    {"failed", "", "whether in a pass an edge strained by more than `max_strain`, or the skeleton found no rest", ""},
     {"passes", "", "one object a pass, below", ""},
 };
 

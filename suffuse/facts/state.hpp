@@ -34,6 +34,10 @@ struct Network {
     stats::ForceDistribution forces = stats::measure_forces(world);
 };
 
+inline std::optional<double> anisotropy(const stats::Fabric& fabric, Mat3 stats::ForceAnisotropy::*of) {
+    return fabric.force_anisotropy ? std::optional(stats::deviator_of((*fabric.force_anisotropy).*of)) : std::nullopt;
+}
+
 /// Those of a soil with a fine fraction. What does not exist in this sample is nothing, not zero.
 struct Fines {
     const dem::World& world;
@@ -118,11 +122,12 @@ inline constexpr std::tuple network{
     row<[](const Network& n) { return stats::deviator_of(n.fabric.contact_anisotropy); }>(
         "fabric.contact_anisotropy", "-", "the same of the anisotropy of contacts"
     ),
-    row<[](const Network& n) { return stats::deviator_of(n.fabric.normal_force_anisotropy); }>(
-        "fabric.normal_force_anisotropy", "-", "of that of normal forces"
+    row<[](const Network& n) { return anisotropy(n.fabric, &stats::ForceAnisotropy::normal); }>(
+        "fabric.normal_force_anisotropy", "-",
+        "of that of normal forces; null where contacts point too little to some side for it"
     ),
-    row<[](const Network& n) { return stats::deviator_of(n.fabric.shear_force_anisotropy); }>(
-        "fabric.shear_force_anisotropy", "-", "of that of shear forces"
+    row<[](const Network& n) { return anisotropy(n.fabric, &stats::ForceAnisotropy::shear); }>(
+        "fabric.shear_force_anisotropy", "-", "of that of shear forces, likewise"
     ),
     row<[](const Network& n) { return n.forces.mean_normal_force; }>(
         "force_distribution.mean_normal_force", "N", "mean normal force of a contact"

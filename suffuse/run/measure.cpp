@@ -23,17 +23,17 @@ std::string words_on_overlap(double ratio, const grains::Material& material, dou
     );
 }
 
-std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::Path path) {
-    const std::optional<double> error = triaxial::find_hold_error(rows, path);
-    if (!error || *error <= triaxial::good_hold_error || triaxial::summarize(rows, path).lost_at) {
+std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, const triaxial::TriaxialSpec& spec) {
+    const std::optional<double> error = triaxial::find_hold_error(rows, spec.path);
+    if (!error || *error <= triaxial::good_hold_error || triaxial::summarize(rows, spec).lost_at) {
         return "";
     }
     return fmt::format(
         "the {} stress that the test holds is off by up to {:.2g} %; a quasi-static test keeps it within {:.0f} % in "
         "every row: take a smaller inertial_number, or more grains",
-        path == triaxial::Path::ConstantMean    ? "mean"
-        : path == triaxial::Path::ShearAtStress ? "normal"
-                                                : "lateral",
+        spec.path == triaxial::Path::ConstantMean    ? "mean"
+        : spec.path == triaxial::Path::ShearAtStress ? "normal"
+                                                     : "lateral",
         100 * *error, 100 * triaxial::good_hold_error
     );
 }

@@ -23,7 +23,7 @@ std::string words_on_overlap(double ratio, const grains::Material& material, dou
 
 /// What is to be said of a test that held its stress less closely than a quasi-static one does, with what to do; empty
 /// where it did, and where the sample lost that stress, which is said elsewhere.
-std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, triaxial::Path path);
+std::string words_on_hold(const std::vector<triaxial::PathRow>& rows, const triaxial::TriaxialSpec& spec);
 
 /// What is to be said of a stiffness that is not the elastic one; empty where it is.
 std::string words_on_stiffness(const triaxial::Stiffness& stiffness, const triaxial::StiffnessSpec& spec);

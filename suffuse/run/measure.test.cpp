@@ -20,15 +20,15 @@ std::vector<triaxial::PathRow> rows_off_by(double share) {
 }
 
 TEST(WordsOnHold, SayHowFarTheLateralStressWasOff) {
-    EXPECT_EQ(words_on_hold(rows_off_by(0.019), triaxial::Path::Drained), "");
-    const std::string words = words_on_hold(rows_off_by(0.15), triaxial::Path::Drained);
+    EXPECT_EQ(words_on_hold(rows_off_by(0.019), {.path = triaxial::Path::Drained}), "");
+    const std::string words = words_on_hold(rows_off_by(0.15), {.path = triaxial::Path::Drained});
     EXPECT_NE(words.find("the lateral stress that the test holds is off by up to 15 %"), std::string::npos) << words;
     EXPECT_NE(words.find("take a smaller inertial_number"), std::string::npos) << words;
-    EXPECT_EQ(words_on_hold(rows_off_by(0.15), triaxial::Path::Undrained), "");
+    EXPECT_EQ(words_on_hold(rows_off_by(0.15), {.path = triaxial::Path::Undrained}), "");
 }
 
 TEST(WordsOnHold, LeaveAStressThatWasLostToTheFlawOfIt) {
-    EXPECT_EQ(words_on_hold(rows_off_by(-0.5), triaxial::Path::Drained), "");
+    EXPECT_EQ(words_on_hold(rows_off_by(-0.5), {.path = triaxial::Path::Drained}), "");
 }
 
 } // namespace

@@ -190,7 +190,7 @@ void do_triaxial(StageWork& work, const triaxial::TriaxialSpec& spec) {
         work.numbers.update(numbers);
         work.numbers["energy"] = response.energy;
     }
-    if (const std::string words = words_on_hold(state.rows, spec.path); !words.empty()) {
+    if (const std::string words = words_on_hold(state.rows, spec); !words.empty()) {
         work.flaws.push_back(work.place() + ": " + words);
     }
     note_energy(work, spec, response);

@@ -39,16 +39,19 @@ Fabric measure_fabric(const dem::World& world) {
     fabric.deviator = deviator_of(fabric.tensor);
     fabric.contact_anisotropy = 7.5 * deviatoric(fabric.tensor);
     // Means over directions: each contact counts inversely to how often its direction occurs.
+    constexpr double least_density = 0.1; // second order no longer describes where contacts point
     Mat3 normal{}, shear{};
     for (const dem::ContactView& c : contacts) {
         const double density = 1 + dot(c.normal, fabric.contact_anisotropy * c.normal);
+        if (density < least_density) {
+            return fabric;
+        }
         normal += weight * compression(c) / density * outer(c.normal, c.normal);
         shear += weight / density * outer(-c.shear_force, c.normal);
     }
     const double mean = trace(normal);
     if (mean != 0) {
-        fabric.normal_force_anisotropy = (7.5 / mean) * deviatoric(normal);
-        fabric.shear_force_anisotropy = (5 / mean) * deviatoric(shear);
+        fabric.force_anisotropy = ForceAnisotropy{(7.5 / mean) * deviatoric(normal), (5 / mean) * deviatoric(shear)};
     }
     return fabric;
 }
@@ -68,7 +71,7 @@ ForceDistribution measure_forces(const dem::World& world) {
         result.mean_normal_force += weight * force.back();
         result.mean_force += weight * norm(c.normal_force + c.shear_force);
         const double limit = slope * force.back();
-        result.sliding_share += limit > 0 && norm(c.shear_force) >= (1 - 1e-3) * limit ? weight : 0;
+        result.sliding_share += !c.is_bonded && limit > 0 && norm(c.shear_force) >= (1 - 1e-3) * limit ? weight : 0;
     }
     const double mean = result.mean_normal_force;
     if (mean <= 0) {

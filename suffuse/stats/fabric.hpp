@@ -5,15 +5,22 @@
 
 #include "suffuse/dem/world.hpp"
 
+#include <optional>
+
 namespace suffuse::stats {
+
+/// Of forces over the directions of contacts.
+struct ForceAnisotropy {
+    Mat3 normal; ///< a_n: mean normal force along n = f0 (1 + a_n:nn) [-]
+    Mat3 shear;  ///< a_t: mean shear force along n = f0 (a_t n - (a_t:nn) n) [-]
+};
 
 /// Means over all touching contacts; zeros where there is none.
 struct Fabric {
     Mat3 tensor;         ///< mean of n (x) n; its trace is 1 [-]
     double deviator = 0; ///< sqrt(3/2 dev:dev) of the tensor: its axial less its lateral value in triaxial states [-]
-    Mat3 contact_anisotropy;      ///< a_c = 15/2 dev(tensor): E(n) = (1 + a_c:nn)/(4 pi) [-]
-    Mat3 normal_force_anisotropy; ///< a_n: mean normal force along n = f0 (1 + a_n:nn) [-]
-    Mat3 shear_force_anisotropy;  ///< a_t: mean shear force along n = f0 (a_t n - (a_t:nn) n) [-]
+    Mat3 contact_anisotropy;                         ///< a_c = 15/2 dev(tensor): E(n) = (1 + a_c:nn)/(4 pi) [-]
+    std::optional<ForceAnisotropy> force_anisotropy; ///< nothing where contacts point too little to some side for it
 };
 
 Fabric measure_fabric(const dem::World& world);

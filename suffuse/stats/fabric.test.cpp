@@ -34,8 +34,8 @@ TEST(Fabric, OfACrossOfGrainsIsIsotropicAndItsForcesAreNot) {
     }
     EXPECT_NEAR(fabric.deviator, 0, 1e-14);
     // Mean normal forces 1, 1, 2 along x, y, z: f0 = 4/3, dev = (-1/9, -1/9, 2/9) of nn means, a_n = 7.5 dev/f0.
-    EXPECT_NEAR(fabric.normal_force_anisotropy(2, 2), 7.5 * (2.0 / 9) / (4.0 / 3), 1e-10);
-    EXPECT_NEAR(trace(fabric.normal_force_anisotropy), 0, 1e-12);
+    EXPECT_NEAR(fabric.force_anisotropy.value().normal(2, 2), 7.5 * (2.0 / 9) / (4.0 / 3), 1e-10);
+    EXPECT_NEAR(trace(fabric.force_anisotropy->normal), 0, 1e-12);
 }
 
 TEST(Fabric, OfContactsAlongOneAxisHasDeviatorOne) {
@@ -46,6 +46,19 @@ TEST(Fabric, OfContactsAlongOneAxisHasDeviatorOne) {
     const Fabric fabric = measure_fabric(world);
     EXPECT_NEAR(fabric.deviator, 1, 1e-14);
     EXPECT_NEAR(fabric.tensor(2, 2), 1, 1e-14);
+}
+
+TEST(Fabric, OfTooFewContactsAcrossOneAxisHasNoAnisotropyOfForces) {
+    for (const int along : {3, 9}) { // of equal forces, with one across: a density of 1.6 there, and of -0.75
+        dem::World world = test::empty_world(100);
+        for (int k = 0; k <= along; ++k) {
+            const Vec3 first{5, 5, 5 + 8.0 * k};
+            test::add(world, first, 1);
+            test::add(world, first + (k < along ? Vec3{1.9, 0, 0} : Vec3{0, 0, 1.9}), 1);
+            test::add_contact(world, static_cast<std::uint32_t>(2 * k), static_cast<std::uint32_t>(2 * k + 1));
+        }
+        EXPECT_EQ(measure_fabric(world).force_anisotropy.has_value(), along == 3);
+    }
 }
 
 TEST(Fabric, StressFollowsFromFabricAndForces) {
@@ -60,8 +73,9 @@ TEST(Fabric, StressFollowsFromFabricAndForces) {
     const Mat3 stress = dem::mean_stress_tensor(world);
     const double ratio = (stress(2, 2) - 0.5 * (stress(0, 0) + stress(1, 1))) / dem::mean_stress(stress);
     const auto axial = [](const Mat3& a) { return 1.5 * a(2, 2); }; // of a deviatoric tensor, less its lateral value
-    const double predicted = 0.4 * (axial(fabric.contact_anisotropy) + axial(fabric.normal_force_anisotropy) +
-                                    1.5 * axial(fabric.shear_force_anisotropy));
+    const ForceAnisotropy& forces = fabric.force_anisotropy.value();
+    const double predicted =
+        0.4 * (axial(fabric.contact_anisotropy) + axial(forces.normal) + 1.5 * axial(forces.shear));
     EXPECT_GT(ratio, 0.3);
     EXPECT_NEAR(predicted / ratio, 1, 0.1);
     RecordProperty("predicted_over_measured", std::to_string(predicted / ratio));
@@ -89,6 +103,15 @@ TEST(ForceDistribution, AContactSlidesWithinAThousandthOfItsLimit) {
         world.contacts.shear_force.set(0, {0, share * limit, 0});
         EXPECT_NEAR(measure_forces(world).sliding_share, sliding, 1e-12) << share;
     }
+}
+
+TEST(ForceDistribution, ABondedContactDoesNotSlide) {
+    dem::World world = cross_of_grains({0.01, 0.01, 0.01});
+    world.contacts.shear_force.set(0, {0, 2 * std::tan(world.material.friction) * world.material.modulus * 0.01, 0});
+    world.contacts.bonded.assign(world.contacts.size(), 0);
+    EXPECT_NEAR(measure_forces(world).sliding_share, 1.0 / 6, 1e-12);
+    world.contacts.bonded[0] = 1;
+    EXPECT_EQ(measure_forces(world).sliding_share, 0);
 }
 
 TEST(ForceDistribution, WithoutContactsIsZero) {

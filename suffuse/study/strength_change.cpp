@@ -86,14 +86,14 @@ std::string why_not(const TestPair& pair, const TriaxialSpec& test) {
             return fmt::format("{} collapsed at {} % axial strain", each->stage->name, short_number(100 * lost, 2));
         }
     }
-    const double before = confinement(*pair.intact, test), after = confinement(*pair.eroded, test);
+    const double before = confinement(*pair.tested, test), after = confinement(*pair.eroded, test);
     if (!(std::abs(relative(before, after)) <= same_confinement)) {
         return fmt::format(
             "{} starts from {} kPa, not from {} kPa", pair.after->stage->name, short_number(after / 1e3),
             short_number(before / 1e3)
         );
     }
-    const double held = deviator(*pair.intact, test), held_after = deviator(*pair.eroded, test);
+    const double held = deviator(*pair.tested, test), held_after = deviator(*pair.eroded, test);
     if (test.path == Path::ConstantDeviator && !(std::abs(held_after - held) <= same_confinement * before)) {
         return fmt::format(
             "{} holds a deviator stress of {} kPa, not of {} kPa", pair.after->stage->name,

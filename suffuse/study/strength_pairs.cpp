@@ -24,7 +24,7 @@ bool is_same_test(const TriaxialSpec& a, const TriaxialSpec& b) {
 bool leaves_path(const casefile::StageSpec& spec, const TriaxialSpec& test) {
     if (const auto* part = std::get_if<TriaxialSpec>(&spec)) {
         return !part->stops_at_stress() || test.path != Path::Drained || part->path != Path::Drained ||
-               part->axis != test.axis;
+               part->axis != test.axis || part->direction != test.direction;
     }
     return !casefile::traits_of(spec).keeps_path;
 }
@@ -54,7 +54,7 @@ public:
         if (test == nullptr || !after.numbers.contains("response") || after.stage->parent < 0) {
             return std::nullopt;
         }
-        TestPair pair{nullptr, &after, nullptr, state(after, after.stage->parent), 0, false};
+        TestPair pair{nullptr, &after, nullptr, state(after, after.stage->parent), nullptr, 0, false};
         const record::FinishedStage* intact = nullptr;
         double left = 1;
         bool has_failed = false, looks = false;
@@ -64,7 +64,7 @@ public:
                 break;
             }
             if (const record::FinishedStage* before = looks ? same_test_from(after, row, *test) : nullptr) {
-                pair.before = before, pair.intact = intact;
+                pair.before = before, pair.tested = stage, pair.intact = intact;
                 pair.removed_mass = 1 - left, pair.has_failed = has_failed;
                 looks = false;
             }

@@ -12,7 +12,8 @@ namespace suffuse::study {
 /// The test of a sample before fines went, and after.
 struct TestPair {
     const record::FinishedStage *before, *after;
-    const record::FinishedStage *intact, *eroded; ///< states: before anything left, and where the second test starts
+    const record::FinishedStage *tested, *eroded; ///< states where the two tests start
+    const record::FinishedStage* intact;          ///< state before anything left
     double removed_mass;                          ///< share of the mass of the intact state [-]
     bool has_failed;                              ///< the skeleton, while fines went
 };

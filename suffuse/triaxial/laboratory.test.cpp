@@ -197,6 +197,7 @@ TEST(TrueTriaxial, KeepsTheIntermediateStressAtItsShare) {
                 const auto [least, most] = std::minmax({axial(row), row.stress(1, 1)});
                 EXPECT_NEAR(row.stress(0, 0), least + b * (most - least), 0.02 * most) << b;
                 EXPECT_NEAR(row.stress(1, 1), pressure, 0.02 * most);
+                EXPECT_GE(row.hold_error + 1e-5, std::abs(row.stress(1, 1) / pressure - 1)) << "over itself";
             }
         }
     }

@@ -132,11 +132,23 @@ cell::Loading final_loading(const TriaxialSpec& spec, const PathState& state) {
 }
 
 double hold_error(const TriaxialSpec& spec, const PathState& state) {
+    const Mat3& stress = state.balance.stress;
+    if (spec.b) { // the stress between the largest and the least follows the largest, which is no measure of the least
+        const cell::Loading loading = loading_of(spec, state);
+        double largest = 0;
+        for (int a = 0; a < 3; ++a) {
+            const double wanted = cell::wanted_stress(loading, a, {stress(0, 0), stress(1, 1), stress(2, 2)});
+            if (loading.axis[static_cast<std::size_t>(a)].control != cell::Control::StrainRate && wanted != 0) {
+                largest = std::max(largest, std::abs((stress(a, a) - wanted) / wanted));
+            }
+        }
+        return largest;
+    }
     if (spec.path != Path::ConstantDeviator) {
-        return dem::stress_error(loading_of(spec, state), state.balance.stress);
+        return dem::stress_error(loading_of(spec, state), stress);
     }
     const double q = deviator(state.start_stress, spec.axis);
-    return std::abs(deviator(state.balance.stress, spec.axis) - q) / q;
+    return std::abs(deviator(stress, spec.axis) - q) / q;
 }
 
 std::optional<Target>

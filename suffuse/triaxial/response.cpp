@@ -165,10 +165,12 @@ Response summarize(const std::vector<PathRow>& rows, const TriaxialSpec& spec) {
         return response;
     }
     const PathRow& peak = peak_of(rows, path);
-    if (peak.deviator_stress > 0) {
+    if (peak.mean_stress > 0) {
         response.peak_deviator = peak.deviator_stress;
         response.peak_strain = peak.axial_strain;
         response.peak_ratio = peak.deviator_stress / peak.mean_stress;
+    }
+    if (peak.deviator_stress > 0) {
         const double lateral = peak.mean_stress - peak.deviator_stress / 3;
         response.friction_angle = is_axisymmetric(spec)
                                       ? std::asin(peak.deviator_stress / (peak.deviator_stress + 2 * lateral))

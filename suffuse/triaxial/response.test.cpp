@@ -53,6 +53,23 @@ TEST(Summarize, FindsPeakStrengthAndItsAngle) {
     EXPECT_NEAR(response.final_deviator, 2e5, 1e-6);
 }
 
+TEST(Summarize, OfATestThatStaysOnTheOtherSideOfZeroHasItsHighestDeviator) {
+    const auto unloads = [](double e) { return -5e4 + std::min(2e6 * e, 4e4); };
+    for (const Direction direction : {Direction::Compression, Direction::Extension}) {
+        TriaxialSpec spec;
+        spec.direction = direction;
+        const double sign = direction == Direction::Compression ? 1 : -1;
+        std::vector<PathRow> rows = curve(unloads, zero);
+        for (PathRow& row : rows) {
+            row.axial_strain *= sign, row.deviator_stress *= sign;
+        }
+        const Response response = summarize(rows, spec);
+        EXPECT_NEAR(response.peak_deviator, sign * -1e4, 1e-6);
+        EXPECT_NEAR(response.peak_strain, sign * 0.02, 1e-9);
+        EXPECT_NEAR(response.stiffness.value(), 2e6, 1) << "to half of the 40 kPa";
+    }
+}
+
 TEST(Summarize, StiffnessIsTheSecantToHalfThePeak) {
     EXPECT_NEAR(*summarize(curve(peaked, zero)).stiffness, 1.5e7, 1);
     // A curve that softens on the way: q = 3e5 sqrt(e/0.02) reaches half at a quarter of the strain.
