@@ -55,6 +55,9 @@ Headline range_headline(const study::StudyOutcome& outcome, Result which, const 
     if (!effect.has_scatter()) {
         headline.detail += "; no replicate";
     }
+    if ((which == Result::FirstMovement || which == Result::Safety) && !outcome.first_probe.empty()) {
+        headline.detail += fmt::format("; stage “{}”", outcome.first_probe);
+    }
     const auto is_doubtful = [&](const study::OutcomePoint& point) {
         return point.erosion && (point.erosion->before_is_too_high || point.erosion->after_is_too_high);
     };

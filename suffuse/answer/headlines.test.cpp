@@ -138,11 +138,16 @@ TEST(Headlines, OfASweepGoFromTheLeastToTheMostWithTheirDeviations) {
 TEST(Headlines, OfASweepMarkThePointsThatAreUpperBounds) {
     study::StudyOutcome outcome = swept(Result::FirstMovement, {{0.2}, {0.4}});
     outcome.points[1].at_most.insert(Result::FirstMovement);
+    outcome.first_probe = "level";
     EXPECT_EQ(sweep_headlines(outcome, {}).at(0).value, "0.20 to ≤ 0.40");
+    EXPECT_EQ(sweep_headlines(outcome, {}).at(0).detail, "at gradient 1 and 2; no replicate; stage “level”");
     const figures::PageTable table = tabulate_samples(outcome, {}).value();
     EXPECT_EQ(table.rows[0][2], "0.20");
     EXPECT_EQ(table.rows[1][2], "≤ 0.40");
-    EXPECT_EQ(table.note, "One sample each. ≤: motion had not ended when the gradient rose.");
+    EXPECT_EQ(
+        table.note, "One sample each. ≤: motion had not ended when the gradient rose. First movements are those of the "
+                    "stage “level”."
+    );
 }
 
 TEST(Headlines, OfASweepWhoseEndsDifferNoMoreThanSeedsSayThatItIsTheSame) {

@@ -158,6 +158,9 @@ tabulate_samples(const StudyOutcome& outcome, const flow::Fluid& fluid, const st
     if (std::ranges::any_of(outcome.points, has_bound)) {
         table.note += " ≤: motion had not ended when the gradient rose.";
     }
+    if (!outcome.first_probe.empty()) {
+        table.note += fmt::format(" First movements are those of the stage “{}”.", outcome.first_probe);
+    }
     for (const std::string& key : outcome.keys) {
         table.header.push_back(study::key_in_words(key));
     }

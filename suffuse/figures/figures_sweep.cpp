@@ -186,16 +186,20 @@ std::string how_to_read(const StudyOutcome& outcome, const study::SweepEffect& e
     );
 }
 
-/// Of results whose upper bounds look like any other dot.
-std::string which_are_bounds(const StudyOutcome& outcome, const std::vector<Result>& drawn) {
+/// What dots do not show of first movements: the stage that they are of, and which are upper bounds.
+std::string on_first_movements(const StudyOutcome& outcome, const std::vector<Result>& drawn) {
+    const auto is_one = [](Result which) { return which == Result::FirstMovement || which == Result::Safety; };
+    const std::string stage = outcome.first_probe.empty() || std::ranges::none_of(drawn, is_one)
+                                  ? ""
+                                  : fmt::format(" First movements are those of the stage “{}”.", outcome.first_probe);
     const auto points = std::ranges::count_if(outcome.points, [&](const OutcomePoint& point) {
         return std::ranges::any_of(drawn, [&](Result which) { return point.is_at_most(which); });
     });
-    return points == 0 ? ""
+    return points == 0 ? stage
                        : fmt::format(
-                             " At {} of {} points motion had not ended when the gradient rose: the value is an upper "
+                             "{} At {} of {} points motion had not ended when the gradient rose: the value is an upper "
                              "bound.",
-                             points, outcome.points.size()
+                             stage, points, outcome.points.size()
                          );
 }
 
@@ -252,7 +256,7 @@ std::optional<Figure> sweep_result(const StudyOutcome& outcome) {
     figure.section = "Samples";
     figure.title = claim(outcome, *main);
     figure.caption =
-        how_to_read(outcome, study::effect_of_sweep(outcome, *main), is_words) + which_are_bounds(outcome, {*main});
+        how_to_read(outcome, study::effect_of_sweep(outcome, *main), is_words) + on_first_movements(outcome, {*main});
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"width", 560},
@@ -293,7 +297,7 @@ std::optional<Figure> sweep_multiples(const StudyOutcome& outcome) {
     figure.section = "Samples";
     figure.title = fmt::format("Other results over the {}", study::keys_in_words(outcome));
     figure.caption = how_to_read(outcome, shown, is_words) + " Each panel has an axis of its own for its result." +
-                     which_are_bounds(outcome, drawn);
+                     on_first_movements(outcome, drawn);
     figure.table = std::move(columns).table(outcome.keys.front());
     figure.chart = {
         {"facet", {{"field", "result"}, {"type", "nominal"}, {"title", nullptr}, {"sort", panels}}},

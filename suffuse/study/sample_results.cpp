@@ -17,11 +17,13 @@ using Results = std::map<Result, double>;
 
 void add_mobility(const record::FinishedStage& stage, SampleResults& to) {
     const erosion::MobilityResult* const mobility = mobility_of(stage);
-    if (mobility == nullptr) {
+    if (mobility == nullptr || !to.probe.empty()) {
         return;
     }
+    to.probe = stage.stage->name;
     const auto add = [&](Result which, double value) {
-        if (to.value.emplace(which, value).second && erosion::is_upper_bound(*mobility, 0.01)) {
+        to.value.emplace(which, value);
+        if (erosion::is_upper_bound(*mobility, 0.01)) {
             to.at_most.insert(which);
         }
     };

@@ -8,6 +8,7 @@ namespace suffuse::study {
 struct SampleResults {
     std::map<Result, double> value;
     std::set<Result> at_most; ///< of these: upper bounds, as motion had not ended when the gradient rose
+    std::string probe;        ///< stage that first movements are of; empty: none
 };
 
 SampleResults results_of_sample(const std::vector<record::FinishedStage>& stages, const casefile::Variant& sample);

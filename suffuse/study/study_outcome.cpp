@@ -1,6 +1,7 @@
 #include "suffuse/study/study_outcome.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/study/mobility_story.hpp"
 #include "suffuse/study/sample_results.hpp"
 #include "suffuse/study/trace_curves.hpp"
 
@@ -109,12 +110,16 @@ std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stag
     std::vector<StudyOutcome> outcomes;
     for (const casefile::Study& study : what.studies) {
         StudyOutcome outcome{.study = &study};
+        std::vector<std::string> probes;
         for (const casefile::Sweep& sweep : study.sweep) {
             outcome.keys.push_back(sweep.key);
         }
         for (const record::FinishedStage& stage : stages) {
             if (stage.study != &study) {
                 continue;
+            }
+            if (mobility_of(stage) != nullptr && std::ranges::count(probes, stage.stage->name) == 0) {
+                probes.push_back(stage.stage->name);
             }
             SweepPoint at = point_of(study, *stage.variant);
             auto point = std::ranges::find_if(outcome.points, [&](const OutcomePoint& other) {
@@ -137,6 +142,7 @@ std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stag
             specified.insert(sweep_values(study, variant));
         }
         outcome.specified = specified.size();
+        outcome.first_probe = probes.size() > 1 ? probes.front() : "";
         if (!outcome.points.empty()) {
             outcomes.push_back(std::move(outcome));
         }

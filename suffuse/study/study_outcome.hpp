@@ -62,6 +62,7 @@ struct StudyOutcome {
     std::vector<std::string> keys;    ///< that are swept
     std::vector<OutcomePoint> points; ///< with a finished stage
     std::size_t specified = 0;        ///< points that the case has
+    std::string first_probe; ///< stage that first movements are of, where others probe the fines, too; else empty
 
     [[nodiscard]] std::size_t samples() const;
     /// Seeds of the point that has most of them, and of the one that has fewest.

@@ -113,6 +113,24 @@ TEST(StudyOutcome, CountsThePointsThatTheCaseHas) {
     EXPECT_EQ(outcomes.front().points.front().erosion->most_passes, 2);
 }
 
+TEST(StudyOutcome, FirstMovementsAreOfOneStageAlsoWhereOnlyAnotherMoves) {
+    SweptStudy swept;
+    const casefile::Study& study = swept.what.studies.front();
+    const casefile::Stage level{.name = "level", .spec = erosion::DetachStageSpec{}}, upward{.name = "upward"};
+    for (const casefile::Variant& variant : study.variants) {
+        for (const casefile::Stage* stage : {&level, &upward}) {
+            const bool moves = stage == &upward || std::get<double>(variant.values.at("gradient")) == 0.2;
+            swept.stages.push_back({&study, &variant, stage, {{"mean_stress", 1e5}, {"void_ratio", 0.6}}, {}});
+            erosion::MobilityResult& mobility = swept.stages.back().findings.mobility.emplace();
+            mobility.moves_1 = moves ? std::optional(stage == &level ? 0.3 : 0.4) : std::nullopt;
+        }
+    }
+    const StudyOutcome outcome = gather_outcomes(swept.what, swept.stages).front();
+    EXPECT_EQ(outcome.first_probe, "level");
+    EXPECT_EQ(outcome.points[1].find(Result::FirstMovement)->mean, 0.3);
+    EXPECT_EQ(outcome.points[0].find(Result::FirstMovement), nullptr) << "0.4 is of another stage";
+}
+
 TEST(StudyOutcome, ASweepOfSingleSamplesIsNeverWithinScatter) {
     const auto effect = [](const std::vector<double>& at_first, const std::vector<double>& at_last) {
         StudyOutcome outcome;
