@@ -12,7 +12,6 @@
 #include <atomic>
 #include <cmath>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace suffuse::test {
@@ -155,40 +154,6 @@ TEST(Resume, WithinAPassGoesOnFromTheLastBurst) {
         return record::read_cbor(folder / "run/studies/s/erosion/results.cbor").at("erosion").at("path");
     };
     EXPECT_EQ(path(broken), path(straight));
-}
-
-TEST(Resume, OfFinesWithWeightGoesOnFromTheLastLevelOfTheirRamp) {
-    const TempFolder straight, broken;
-    const std::string text =
-        reference_constants + "[gravity]\ndown = \"-z\"\n" + reference_soil() + study_of_packing("packing500") +
-        "[[study.s.stage]]\nname = \"upward\"\nfrom = \"settled\"\ndo = \"detach\"\ngradients = [0.2, 0.6, 1.2]\n";
-    run_text(text, straight.path());
-    std::set<std::string> stopped_in;
-    for (int beats = 12; beats < 12 << 10; beats *= 2) { // more than a level takes, in the end
-        std::atomic<bool> stop{false};
-        run::RunOptions options;
-        options.stop = &stop;
-        options.progress_interval = 0;
-        int left = beats;
-        options.on_progress = [&](const run::Progress& progress) {
-            if (progress.stage == "upward") {
-                EXPECT_TRUE(stopped_in.empty() || progress.part != "rest") << "it has rested";
-                if (progress.part.starts_with("gradient") && --left == 0) {
-                    stop = true;
-                    stopped_in.insert(progress.part);
-                }
-            }
-        };
-        if (run_text(text, broken.path(), options).outcome != record::Outcome::Stopped) {
-            break;
-        }
-    }
-    EXPECT_GE(stopped_in.size(), 2U);
-    const auto found = [](const TempFolder& folder) {
-        return record::read_cbor(folder / "run/studies/s/upward/results.cbor").at("mobility");
-    };
-    EXPECT_EQ(nlohmann::json::to_cbor(found(broken)), nlohmann::json::to_cbor(found(straight))) << "not numbers, too";
-    EXPECT_EQ(hash_of(broken, "upward"), hash_of(straight, "upward"));
 }
 
 /// Fines so small that most float: without water the median one of them does not move at all.

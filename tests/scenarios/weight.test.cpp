@@ -1,11 +1,14 @@
 // Fines that have weight, through the whole program: what a rising gradient moves, and what an erosion takes of it.
 
 #include "suffuse/io/checkpoint.hpp"
+#include "suffuse/record/folder.hpp"
 #include "suffuse/stats/stress_by_fraction.hpp"
 
 #include <gtest/gtest.h>
 
 #include "tests/support/run_text.hpp"
+#include <atomic>
+#include <set>
 
 namespace suffuse::test {
 namespace {
@@ -57,6 +60,38 @@ TEST(Weight, ReportsTheGradientsOfASandThatBarelyMovesAndLeavesItUnchanged) {
     EXPECT_NE(page.find("Upward flow moves"), std::string::npos);
     EXPECT_NE(page.find("own-mobility"), std::string::npos);
     EXPECT_NE(page.find("Internal stability by the simulated grading"), std::string::npos);
+}
+
+TEST(Weight, ARampThatIsStoppedGoesOnFromItsLastLevelToTheSameBits) {
+    const TempFolder straight, broken;
+    const std::string text = start(up) + stage("upward", "do = \"detach\"\ngradients = [0.2, 0.6, 1.2]\n");
+    run_text(text, straight.path());
+    std::set<std::string> stopped_in;
+    for (int beats = 12; beats < 12 << 10; beats *= 2) { // more than a level takes, in the end
+        std::atomic<bool> stop{false};
+        run::RunOptions options;
+        options.stop = &stop;
+        options.progress_interval = 0;
+        int left = beats;
+        options.on_progress = [&](const run::Progress& progress) {
+            if (progress.stage == "upward") {
+                EXPECT_TRUE(stopped_in.empty() || progress.part != "rest") << "it has rested";
+                if (progress.part.starts_with("gradient") && --left == 0) {
+                    stop = true;
+                    stopped_in.insert(progress.part);
+                }
+            }
+        };
+        if (run_text(text, broken.path(), options).outcome != record::Outcome::Stopped) {
+            break;
+        }
+    }
+    EXPECT_GE(stopped_in.size(), 2U);
+    const auto found = [](const TempFolder& folder) {
+        return record::read_cbor(folder / "run/studies/s/upward/results.cbor").at("mobility");
+    };
+    EXPECT_EQ(nlohmann::json::to_cbor(found(broken)), nlohmann::json::to_cbor(found(straight))) << "not numbers, too";
+    EXPECT_EQ(stage_of(broken.path(), "upward").at("state_hash"), stage_of(straight.path(), "upward").at("state_hash"));
 }
 
 TEST(Weight, DecidesWhatAnErosionTakesWhoseGradientRisesFromPassToPass) {
