@@ -111,8 +111,9 @@ void doubt_model(const MobilityStory& story, std::vector<Doubt>& doubts) {
     if (const grains::Surrogate* const surrogate = story.surrogate()) {
         doubts.push_back(
             {surrogate->ratio_of_soil > 1.001 * surrogate->size_ratio ? 10.0 : 3.0,
-             "Two fractions stand for the soil (see “The soil and its surrogate”). In trials their first gradient was "
-             "16 % too low to 10 % too high."}
+             "Two fractions stand for the soil (see “The soil and its surrogate”). In trials at size ratios of 3 to "
+             "6.5 "
+             "their first gradient was 16 % too low to 10 % too high."}
         );
         return;
     }

@@ -140,6 +140,16 @@ std::string first_by_ratio(const ByRatio& stories, const char* share, const char
     return moved_by_ratio(stories, share, at, &MobilityStory::moves_1, &MobilityStory::at_most_1);
 }
 
+/// " Above 6.5 single fines may sift through the skeleton without flow; at 7.5 less than 0.1 % of their mass did."
+std::string sifting_by_ratio(const MobilityStory& largest) {
+    const double ratio = largest.surrogate()->size_ratio;
+    return fmt::format(
+        " Above {} single fines may sift through the skeleton without flow{}.", short_number(sifting_ratio),
+        ratio > sifting_ratio ? fmt::format("; at {} {} of their mass did", short_number(ratio), sifting_text(largest))
+                              : ""
+    );
+}
+
 } // namespace
 
 std::vector<std::string> left_out_of(const grains::Soil& soil, double largest_ratio) {
@@ -201,7 +211,7 @@ std::vector<std::string> verdict_by_ratio(const std::vector<MobilityStory>& stor
     if (of_soil > largest) {
         lines.push_back(
             fmt::format("The soil's ratio is {}: its own gradients are an extrapolation.", short_number(of_soil)) +
-            (of_soil > sifting_ratio ? " Above 6.5 single fines sift through the skeleton without flow." : "")
+            (of_soil > sifting_ratio ? sifting_by_ratio(last) : "")
         );
     }
     for (const ByRatio& other : std::span(stages).subspan(1)) {

@@ -11,8 +11,8 @@
 
 namespace suffuse::answer {
 
-/// Above this size ratio single fines fall through the skeleton by their own weight, as the trials found
-/// (docs/theory/surrogates.md).
+/// Above this size ratio fines fit between three coarse grains that touch: single ones may fall through the skeleton by
+/// their own weight (docs/theory/surrogates.md).
 inline constexpr double sifting_ratio = 6.5;
 
 /// What differs from the soil, a sentence each. @param soil of a surrogate

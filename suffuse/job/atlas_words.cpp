@@ -266,7 +266,7 @@ std::vector<std::string> outside_notes(const AtlasAnswer& answer) {
     }
     if (answer.parts->size_ratio > answer::sifting_ratio) {
         notes.push_back(fmt::format(
-            "above a size ratio of {} single fines fall through the skeleton by themselves",
+            "above a size ratio of {} single fines may fall through the skeleton by themselves",
             short_number(answer::sifting_ratio)
         ));
     }
