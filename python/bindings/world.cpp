@@ -93,7 +93,18 @@ std::vector<std::uint32_t> rows_of(const py::object& given, std::size_t grains) 
         }
         return rows;
     }
-    for (const double value : numbers_of(given, "rows to remove")) {
+    const std::vector<double> values = numbers_of(given, "rows to remove");
+    const auto is_truth = [](double value) { return value == 0 || value == 1; };
+    const bool is_decimal = array.dtype().kind() == 'f' && !values.empty(); // as an empty list is, too
+    if (is_decimal || (grains > 2 && values.size() == grains && std::ranges::all_of(values, is_truth))) {
+        throw CaseError(fmt::format(
+            "rows to remove: found {}, expected whole numbers of rows, or truth values: write MASK == 1 for a column "
+            "of "
+            "0 and 1",
+            is_decimal ? "numbers with decimals" : "0 or 1 for each grain"
+        ));
+    }
+    for (const double value : values) {
         if (value < 0 || value >= static_cast<double>(grains) || value != std::floor(value)) {
             throw CaseError(
                 fmt::format("rows to remove: found {}, expected rows, counted from 0, of the {} grains", value, grains)

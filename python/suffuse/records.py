@@ -3,6 +3,7 @@
 import csv
 import functools
 import importlib
+import pathlib
 
 import numpy
 
@@ -93,13 +94,26 @@ def _column(cells):
         return numpy.array(["" if cell is None else cell for cell in cells], dtype=str)
 
 
+# Columns whose names mean something else, or nothing, in other tables.
+_units_of_table = {
+    "migration.csv": {"energy": "J", "eroded_mass": "kg", "fed_mass": "kg"},
+    "ledger.csv": {
+        **dict.fromkeys(("x0", "y0", "z0", "narrowest"), "m"),
+        **dict.fromkeys(("entered", "departed", "left"), "s"),
+    },
+    "profile.csv": {"from": "m", "to": "m"},
+    "throats.csv": {"conductance": "m3/(Pa s)"},
+}
+
+
 def read_records(path):
     """A CSV of numbers, and perhaps words; lines that begin with # are remarks."""
     with open(path, newline="", encoding="utf-8") as file:
         rows = list(csv.reader(line for line in file if not line.startswith("#")))
     names, rows = rows[0], rows[1:]
     columns = zip(*rows) if rows else [()] * len(names)
-    return records_of({name: _column(column) for name, column in zip(names, columns)})
+    known = _units_of_table.get(pathlib.Path(path).name)
+    return records_of({name: _column(column) for name, column in zip(names, columns)}, known)
 
 
 def gather(rows, units=None):

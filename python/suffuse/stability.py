@@ -63,4 +63,5 @@ def atlas(of="gradients"):
     tables = {"gradients": _core.atlas_table, "filters": _core.filter_atlas_table}
     if of not in tables:
         raise _core.CaseError(f'of = "{of}" is not known: expected {" or ".join(tables)}')
-    return gather(list(csv.DictReader(tables[of]().splitlines())))
+    ratios = dict.fromkeys(("thickness", "constriction", "overlap"), "-")
+    return gather(list(csv.DictReader(tables[of]().splitlines())), ratios)

@@ -144,6 +144,7 @@ def test_the_atlas_is_a_table_of_samples():
 
 def test_the_atlas_of_filters_has_shares_of_the_base():
     rows = suffuse.atlas("filters")
+    assert set(rows.units.values()) == {"-"}
     assert set(rows["ended"]) <= {0, 1} and (rows["ratio"] >= 3).all()
     for share in ("passed", "moving", "entered"):
         assert ((rows[share] >= 0) & (rows[share] <= 1)).all()

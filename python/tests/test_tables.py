@@ -95,6 +95,15 @@ def test_units_follow_the_object_that_a_number_is_in():
     assert {name: unit_of(name) for name in units} == units
 
 
+def test_units_of_a_column_are_those_of_its_table(tmp_path):
+    for table, name, unit in (
+        ("migration.csv", "energy", "J"), ("migration.csv", "fed_mass", "kg"), ("ledger.csv", "x0", "m"),
+        ("ledger.csv", "departed", "s"), ("throats.csv", "conductance", "m3/(Pa s)"), ("history.csv", "time", "s"),
+    ):
+        (tmp_path / table).write_text(f"{name}\n1\n")
+        assert read_records(tmp_path / table).units == {name: unit}
+
+
 def test_a_table_without_rows_keeps_its_columns(tmp_path):
     (tmp_path / "empty.csv").write_text("# remark\npass,id,d\n")
     table = read_records(tmp_path / "empty.csv")

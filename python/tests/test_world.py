@@ -49,6 +49,15 @@ def test_views_stay_where_they_are_while_the_world_steps(settled):
     assert (x != before).any() and (x == settled.grains.position).all() and (v == settled.grains.velocity).all()
 
 
+def test_a_column_of_0_and_1_is_not_taken_for_rows(settled):
+    fine = settled.grains.fine
+    for mask in (numpy.asarray(fine, dtype=float), numpy.asarray(fine, dtype=int), [1.5]):
+        with pytest.raises(suffuse.CaseError, match="write MASK == 1"):
+            settled.remove(mask)
+    assert settled.remove([]) == 0 and len(settled) == 500
+    assert settled.remove(numpy.asarray(fine, dtype=int) == 1) == numpy.count_nonzero(fine)
+
+
 def test_views_keep_the_rows_of_before_when_grains_leave(settled):
     x, r, ids = settled.grains.position, settled.grains.radius, settled.grains.id
     before = x.copy(), r.copy(), ids.copy()

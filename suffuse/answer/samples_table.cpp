@@ -151,8 +151,7 @@ tabulate_samples(const StudyOutcome& outcome, const flow::Fluid& fluid, const st
     table.title = fmt::format("Samples of the study “{}”", outcome.study == nullptr ? "" : outcome.study->name);
     table.note = outcome.seeds() > 1 ? "Means of the samples, ± one standard deviation." : "One sample each.";
     if (outcome.points.size() < outcome.all_points()) {
-        table.note +=
-            fmt::format(" {} of {} points have a finished stage.", outcome.points.size(), outcome.all_points());
+        table.note += fmt::format(" {} of {} points have a result.", outcome.points.size(), outcome.all_points());
     }
     const auto has_bound = [](const OutcomePoint& point) { return !point.at_most.empty(); };
     if (std::ranges::any_of(outcome.points, has_bound)) {

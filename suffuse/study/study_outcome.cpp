@@ -14,6 +14,34 @@ namespace {
 
 using Stages = std::vector<record::FinishedStage>;
 
+bool has_result(const Stages& stages, const casefile::Variant& sample) {
+    return !results_of_sample(stages, sample).value.empty();
+}
+
+/// Without the samples that failed before they had any.
+OutcomePoint with_results(const OutcomePoint& point, const Stages& stages) {
+    OutcomePoint kept{point.at, {}, {}, {}, {}};
+    kept.at.seed.clear();
+    for (std::size_t k = 0; k < point.samples.size(); ++k) {
+        if (has_result(stages, *point.samples[k])) {
+            kept.samples.push_back(point.samples[k]);
+            kept.at.seed.push_back(point.at.seed[k]);
+        }
+    }
+    return kept;
+}
+
+void leave_out_what_has_none(std::vector<OutcomePoint>& points, const Stages& stages) {
+    std::vector<OutcomePoint> kept;
+    for (const OutcomePoint& point : points) {
+        kept.push_back(with_results(point, stages));
+    }
+    std::erase_if(kept, [](const OutcomePoint& point) { return point.samples.empty(); });
+    if (!kept.empty()) {
+        points = std::move(kept);
+    }
+}
+
 OutcomePoint summed_up(OutcomePoint point, const Stages& stages, flow::Conductance conductance) {
     std::vector<SampleResults> of_sample;
     for (const casefile::Variant* sample : point.samples) {
@@ -103,7 +131,7 @@ std::size_t StudyOutcome::fewest_seeds() const {
 bool StudyOutcome::has(Result which) const {
     const auto count =
         std::ranges::count_if(points, [&](const OutcomePoint& point) { return point.find(which) != nullptr; });
-    return 2 * count > std::ssize(points);
+    return count > 0 && 2 * count >= std::ssize(points);
 }
 
 std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stages& stages) {
@@ -133,6 +161,7 @@ std::vector<StudyOutcome> gather_outcomes(const casefile::Case& what, const Stag
                 point->at.seed.push_back(stage.variant->seed);
             }
         }
+        leave_out_what_has_none(outcome.points, stages);
         for (OutcomePoint& point : outcome.points) {
             point = summed_up(std::move(point), stages, what.fluid.conductance);
         }

@@ -44,7 +44,7 @@ ResultScale scale_of(Result which);
 /// "fines content", "gradient", "friction": a swept key by its last part, in words.
 std::string key_in_words(const std::string& key);
 
-/// The samples at one set of sweep values.
+/// The samples at one set of sweep values that have a result.
 struct OutcomePoint {
     SweepPoint at;                                 ///< its values and seeds; without numbers
     std::vector<const casefile::Variant*> samples; ///< in the order of the seeds
@@ -60,7 +60,7 @@ struct OutcomePoint {
 struct StudyOutcome {
     const casefile::Study* study = nullptr;
     std::vector<std::string> keys;    ///< that are swept
-    std::vector<OutcomePoint> points; ///< with a finished stage
+    std::vector<OutcomePoint> points; ///< with a result; where no sample has one, with a finished stage
     std::size_t specified = 0;        ///< points that the case has
     std::string first_probe; ///< stage that first movements are of, where others probe the fines, too; else empty
 
@@ -69,10 +69,10 @@ struct StudyOutcome {
     [[nodiscard]] std::size_t seeds() const;
     [[nodiscard]] std::size_t fewest_seeds() const;
 
-    /// All points, with those that have no finished stage.
+    /// All points, with those that have no result.
     [[nodiscard]] std::size_t all_points() const { return std::max(specified, points.size()); }
 
-    /// Whether more than half of the points have it.
+    /// Whether at least half of the points have it.
     [[nodiscard]] bool has(Result which) const;
 };
 

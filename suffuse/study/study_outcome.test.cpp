@@ -113,6 +113,22 @@ TEST(StudyOutcome, CountsThePointsThatTheCaseHas) {
     EXPECT_EQ(outcomes.front().points.front().erosion->most_passes, 2);
 }
 
+TEST(StudyOutcome, LeavesOutSamplesThatFailedBeforeTheyHadAResult) {
+    SweptStudy swept;
+    for (std::size_t k = 0; k < swept.stages.size(); k += 2) { // of the first value both, of the second one
+        if (k != 4) {
+            swept.stages[k].numbers["mean_stress"] = nullptr;
+            swept.stages[k + 1].findings.erosion.reset();
+        }
+    }
+    const StudyOutcome outcome = gather_outcomes(swept.what, swept.stages).front();
+    EXPECT_EQ(outcome.points.size(), 1U);
+    EXPECT_EQ(outcome.samples(), 1U);
+    EXPECT_EQ(outcome.points.front().at.seed, std::vector<std::uint64_t>{1});
+    EXPECT_EQ(outcome.all_points(), 2U);
+    EXPECT_TRUE(outcome.has(Result::ErodedMass));
+}
+
 TEST(StudyOutcome, FirstMovementsAreOfOneStageAlsoWhereOnlyAnotherMoves) {
     SweptStudy swept;
     const casefile::Study& study = swept.what.studies.front();
