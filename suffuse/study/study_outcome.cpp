@@ -33,6 +33,7 @@ OutcomePoint with_results(const OutcomePoint& point, const Stages& stages) {
 
 void leave_out_what_has_none(std::vector<OutcomePoint>& points, const Stages& stages) {
     std::vector<OutcomePoint> kept;
+    kept.reserve(points.size());
     for (const OutcomePoint& point : points) {
         kept.push_back(with_results(point, stages));
     }
