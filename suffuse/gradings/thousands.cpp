@@ -17,14 +17,14 @@ namespace suffuse::gradings {
 namespace {
 
 /// The digits and marks that a cell begins with; empty where it is no number, with a unit or without.
-std::string_view digits_in(std::string_view text) {
+std::string digits_in(std::string_view text) {
     text = trimmed(text);
     const std::size_t end = std::min(text.find_first_not_of("0123456789.,"), text.size());
     const std::string_view digits = text.substr(0, end), unit = trimmed(text.substr(end));
     const bool is_number = !digits.empty() && is_digit(digits.back()) &&
                            (unit.empty() || unit == "%" || size_scale_of(unit) != SizeScale::Unknown ||
                             share_unit_named(std::string(unit)) != ShareUnit::Unknown);
-    return is_number ? digits : std::string_view{};
+    return std::string(is_number ? digits : std::string_view{});
 }
 
 /// "1,250", "1,250,000": one to three digits that do not begin with 0, then three behind each of one mark. @return the
@@ -86,7 +86,7 @@ std::string without_blanks(std::string_view text) {
 
 /// The number of a cell in one of two readings.
 std::optional<double> number_in(std::string_view text, bool is_thousands) {
-    std::string digits(digits_in(split_size_text(text).text));
+    std::string digits = digits_in(split_size_text(text).text);
     if (const char mark = mark_of_groups(digits); mark != 0 && is_thousands) {
         std::erase(digits, mark);
     }
@@ -278,7 +278,7 @@ std::optional<GroupedNumber> find_grouped(const Sheet& sheet, std::size_t first_
     bool has_plain = false;
     std::string signs;
     for (const SheetRow* row : value_rows(sheet, first_row)) {
-        const std::string_view digits = digits_in(split_size_text(text_at(*row, column)).text);
+        const std::string digits = digits_in(split_size_text(text_at(*row, column)).text);
         const char mark = mark_of_groups(digits);
         signs += sign_in(digits);
         if (mark == ',' || (mark == '.' && sheet.mark != ',')) { // who separates by commas has decimal points
@@ -315,8 +315,8 @@ void join_sure_groups(Sheet& sheet) {
     const char sign = find_decimal_sign(sheet);
     for (SheetRow& row : sheet.rows) {
         for (SheetCell& cell : row.cells) {
-            const std::string_view digits = digits_in(split_size_text(cell.text).text);
-            if (sign != 0 && sign_in(digits) == sign && digits.find(other(sign)) != std::string_view::npos) {
+            const std::string digits = digits_in(split_size_text(cell.text).text);
+            if (sign != 0 && sign_in(digits) == sign && digits.find(other(sign)) != std::string::npos) {
                 std::erase(cell.text, other(sign));
             }
         }
