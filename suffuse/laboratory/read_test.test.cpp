@@ -69,7 +69,7 @@ TEST(ReadTest, DrainedTriaxialTestsOfKarlsruheFineSand) {
         "\"epsv [%]\" is positive in contraction: the void ratio falls where it rises", findings(record, false)
     );
     expect_words("\"eps1 [%]\" is positive in compression", findings(record, false));
-    expect_words("the first rises by 3 with the second", findings(record, false));
+    expect_words("agree: q rises by 3 with p", findings(record, false));
     EXPECT_EQ(findings(record, true), "\"p [kPa]\" is effective\n");
 }
 
@@ -309,7 +309,7 @@ TEST(ReadTest, HalfSumsAndHalfDifferencesOfStressesAreFoundByTheirSlope) {
     expect_words("write q = 2 t; or", refusal(with_slope(1.5, 0.2), Triaxial));
     EXPECT_EQ(refusal(with_slope(3, 0.2), Triaxial), "");
     const TestRecord between = parse(with_slope(2.5, 0.2), Triaxial);
-    expect_words("the first rises by 2.5 with the second, and by 3 in a drained test", findings(between, true));
+    expect_words("q rises by 2.5 with p, and by 3 in a drained test", findings(between, true));
     EXPECT_EQ(refusal(with_slope(1.5, 0), Triaxial), "") << "undrained, its path rises along the critical state line";
 }
 
@@ -319,7 +319,7 @@ TEST(ReadTest, HeadingsOfHalfSumsAndHalfDifferencesAreTurnedIntoQAndP) {
     EXPECT_DOUBLE_EQ(value(record, Quantity::DeviatorStress, 2), 160e3);
     EXPECT_NEAR(value(record, Quantity::MeanStress, 2), (260e3 + 2 * 100e3) / 3, 1e-6);
     EXPECT_EQ(record.find(Quantity::MeanStress)->is_effective, true);
-    expect_words("the first rises by 3 with the second", findings(record, false));
+    expect_words("agree: q rises by 3 with p", findings(record, false));
     expect_words("add a column of q or t", refusal("eps1 [%],sigma1 [kPa],s' [kPa]\n0,100,100\n1,200,150\n", Triaxial));
     EXPECT_EQ(parse("t [min],eps1 [%],q [kPa]\n0,0,0\n1,1,5\n", Triaxial).columns.front().quantity, Quantity::Time);
 }

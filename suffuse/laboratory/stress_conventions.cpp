@@ -141,17 +141,17 @@ void settle_by_slope(const RecordReview& review, const TestColumn& p, const Test
     const auto is_near = [&](double wanted) { return std::abs(slope - wanted) <= tolerance * wanted; };
     if (!is_drained(review) || !(is_near(3) || is_near(1) || is_near(2) || is_near(1.5))) {
         review.assumed(fmt::format(
-            "\"{}\" is axial minus radial stress, \"{}\" is (axial + 2 radial stress)/3; the first rises by {:.2g} "
-            "with "
-            "the second, and by 3 in a drained test at a constant radial stress",
+            "\"{}\" and \"{}\" are read as q = axial minus radial stress and p = (axial + 2 radial stress)/3; q rises "
+            "by "
+            "{:.2g} with p, and by 3 in a drained test at a constant radial stress",
             q.heading, p.heading, slope
         ));
         return;
     }
     if (is_near(3)) {
         review.decided(fmt::format(
-            "\"{}\" is axial minus radial stress, \"{}\" the mean of three stresses: the first rises by 3 with the "
-            "second",
+            "\"{}\" and \"{}\", read as q = axial minus radial stress and p = the mean of three stresses, agree: q "
+            "rises by 3 with p",
             q.heading, p.heading
         ));
         return;
