@@ -48,6 +48,7 @@ LoadedCase load_case_text(
         std::for_each(overrides.begin(), middle, [&](const auto& o) { check_preset_override(o, preset, problems); });
         std::for_each(middle, overrides.end(), [&](const auto& o) { apply_override(*root, o, problems); });
         keep_studies(*root, options.studies, problems);
+        std::for_each(middle, overrides.end(), [&](const auto& o) { check_swept_override(*root, o, problems); });
         loaded.value = bind_case(*root, folder, preset, problems);
     }
     if (problems.has_errors()) {

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace suffuse::casefile {
 
@@ -25,6 +26,21 @@ std::vector<std::string> split_path(const std::string& text) {
         }
     }
     return parts;
+}
+
+/// The path of an override, in which a key of a sweep is one part with its dots: study.NAME.sweep.stage.NAME.KEY
+std::vector<std::string> override_path(const std::string& text) {
+    std::vector<std::string> path = split_path(text.substr(0, text.find('=')));
+    if (path.size() > 4 && path[0] == "study" && (path[2] == "sweep" || path[2] == "rows")) {
+        path[3] = fmt::format("{}", fmt::join(path.begin() + 3, path.end(), "."));
+        path.resize(4);
+    }
+    return path;
+}
+
+Place place_of_key(const std::string& text) {
+    const std::size_t size = std::max<std::size_t>(1, std::min(text.find('='), text.size()));
+    return {std::make_shared<Source>(Source{"--set", text}), 1, 1, static_cast<int>(size)};
 }
 
 std::string text_of(const Node& table, std::string_view key) {
@@ -240,13 +256,12 @@ set_at(Node& table, const std::vector<std::string>& path, const Node& value, con
 }
 
 void apply_override(Node& root, const std::string& text, Problems& problems) {
-    const auto source = std::make_shared<Source>(Source{"--set", text});
-    if (!check_encoding(source, problems)) {
+    const Place whole = place_of_key(text);
+    if (!check_encoding(whole.source, problems)) {
         return;
     }
     const std::size_t mark = text.find('=');
-    const Place whole{source, 1, 1, static_cast<int>(std::max<std::size_t>(1, std::min(mark, text.size())))};
-    const std::vector<std::string> path = split_path(text.substr(0, mark));
+    const std::vector<std::string> path = override_path(text);
     const bool has_gap = std::find(path.begin(), path.end(), "") != path.end();
     if (mark == std::string::npos || has_gap) {
         problems.error("E405", whole, "--set needs KEY=VALUE", "as in --set study.erosion.particles=4000");
@@ -259,7 +274,7 @@ void apply_override(Node& root, const std::string& text, Problems& problems) {
     const bool is_one = parsed && parsed->entries.size() == 1;
     Node value = is_one ? parsed->entries[0].value : make_node(Scalar(written));
     const Place place{
-        source, 1, static_cast<int>(mark) + 2, static_cast<int>(std::max<std::size_t>(1, written.size()))};
+        whole.source, 1, static_cast<int>(mark) + 2, static_cast<int>(std::max<std::size_t>(1, written.size()))};
     const auto put_place = [&](auto& self, Node& node) -> void {
         node.place = place;
         for (Node& item : node.items) {
@@ -289,19 +304,70 @@ bool sets_preset(const std::string& text) {
 }
 
 void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems) {
-    const std::size_t mark = text.find('=');
-    const std::vector<std::string> path = split_path(text.substr(0, mark));
-    if (mark == std::string::npos || path.size() < 2 || path[1] == in_force) {
+    const std::vector<std::string> path = override_path(text);
+    if (text.find('=') == std::string::npos || path.size() < 2 || path[1] == in_force) {
         return;
     }
     problems.error(
-        "E405", {std::make_shared<Source>(Source{"--set", text}), 1, 1, static_cast<int>(std::min(mark, text.size()))},
+        "E405", place_of_key(text),
         fmt::format("the preset in force is \"{}\", so \"{}\" has no effect", in_force, path[1]),
         fmt::format(
             "add --preset {}, or set presets.{}.{}, or the intended key, as in study.erosion.particles", path[1],
             in_force, path.back()
         )
     );
+}
+
+namespace {
+
+bool sweeps_over(const Node& study, const std::string& key) {
+    return std::ranges::any_of(std::array{"sweep", "rows"}, [&](const char* name) {
+        const Node::Entry* const swept = study.find(name);
+        return swept != nullptr && swept->value.is_table() && swept->value.find(key) != nullptr;
+    });
+}
+
+/// Names under which a study can sweep what an override sets; none where it is of another study or soil.
+std::vector<std::string>
+names_in_sweep(const std::vector<std::string>& path, const std::string& study, const std::string& soil) {
+    const auto from = [&](std::ptrdiff_t first) {
+        return fmt::format("{}", fmt::join(path.begin() + first, path.end(), "."));
+    };
+    if (path[0] == "contact" || path == std::vector<std::string>{"seed"}) {
+        return {from(0)};
+    }
+    if (path.size() < 3 || path[1] != (path[0] == "study" ? study : soil)) {
+        return {};
+    }
+    return path[0] == "study"  ? std::vector{from(2)}
+           : path[0] == "soil" ? std::vector{from(2), path.back()}
+                               : std::vector<std::string>{};
+}
+
+} // namespace
+
+void check_swept_override(Node& root, const std::string& text, Problems& problems) {
+    const std::vector<std::string> path = override_path(text);
+    Node::Entry* const studies = root.find("study");
+    std::string sweeping, key;
+    for (const Node::Entry& study : studies != nullptr ? studies->value.entries : std::vector<Node::Entry>{}) {
+        const std::vector<std::string> names = names_in_sweep(path, study.key, text_of(study.value, "soil"));
+        const auto swept =
+            std::ranges::find_if(names, [&](const std::string& name) { return sweeps_over(study.value, name); });
+        if (!names.empty() && swept == names.end()) {
+            return; // this study takes the value
+        }
+        if (!names.empty()) {
+            sweeping = study.key, key = *swept;
+        }
+    }
+    if (!sweeping.empty()) {
+        problems.error(
+            "E405", place_of_key(text),
+            fmt::format("the study \"{}\" has values of its own for `{}`, so this one has no effect", sweeping, key),
+            fmt::format("set the list instead, as in --set 'study.{}.sweep.{}=[VALUE, VALUE]'", sweeping, key)
+        );
+    }
 }
 
 bool apply_sweep_value(SweepTarget target, const std::string& key, const Node& value) {

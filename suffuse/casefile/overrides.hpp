@@ -27,6 +27,9 @@ bool sets_gravity(const std::string& text);
 /// Reports an override of a preset that is not in force: it would change nothing.
 void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems);
 
+/// Reports an override of a key that all studies it is for set in their `sweep` or `rows`: it would change nothing.
+void check_swept_override(Node& root, const std::string& text, Problems& problems);
+
 /// Leaves out the studies that are not among `names`; without names, none.
 void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems);
 

@@ -72,9 +72,21 @@ TEST(Studies, ValuesThatWouldShareAFolderAreRefusedByName) {
     text.replace(text.find(sweep), sweep.size(), "sweep = { fines_content = [0.2, 0.2000000001, \"20 %\"] }\n");
     const std::vector<Diagnostic> problems = problems_of(text);
     EXPECT_EQ(std::count_if(problems.begin(), problems.end(), [](const auto& d) { return d.code == "E204"; }), 2);
+    EXPECT_TRUE(std::ranges::any_of(problems, [](const Diagnostic& problem) {
+        return problem.message == "0.2 and \"20 %\" of `fines_content` would share the folder fc=20";
+    }));
     const Diagnostic close = find_problem(problems, "E204");
     EXPECT_NE(close.message.find("0.2 and 0.2000000001 of"), std::string::npos) << close.message;
     EXPECT_EQ(close.column, 33);
+}
+
+TEST(Studies, ValuesThatAreTheSameAreRefusedHoweverTheyAreWritten) {
+    const std::string sweep = "sweep = { \"stage.initial.pressure\" = [\"50 kPa\", \"0.05 MPa\", \"60 kPa\"] }\n";
+    std::string text = good_case;
+    text.insert(text.find("particles"), sweep);
+    const Diagnostic same = find_problem(problems_of(text), "E204");
+    EXPECT_EQ(same.message, "\"50 kPa\" and \"0.05 MPa\" of `stage.initial.pressure` are the same");
+    EXPECT_EQ(same.help, "keep one of them");
 }
 
 TEST(Studies, ASweptContactKeyHoldsForItsCopyAndOtherKeysStay) {
@@ -250,16 +262,18 @@ TEST(Presets, AResolvedCaseRemembersItsPreset) {
 }
 
 TEST(Sweeps, OfASettlingsPressureSurviveWritingAndReading) {
-    const std::string text = good_case + "[study.swept]\nsoil = \"sand\"\nparticles = 3000\n"
-                                         "sweep = { \"stage.rest.pressure\" = [\"100 kPa\", \"9 kPa\"] }\n"
-                                         "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n"
-                                         "[[study.swept.stage]]\nname = \"rest\"\ndo = \"settle\"\n"
-                                         "pressure = \"50 kPa\"\n";
-    const std::string once = resolved_toml(load(text, {"", {}, {"swept"}}));
-    const Case back = load(once);
-    EXPECT_EQ(resolved_toml(back), once);
-    const auto& rest = std::get<dem::SettleSpec>(back.studies[0].variants[1].stages[1].spec);
-    EXPECT_EQ(rest.loading.axis[2].value, 9e3);
+    for (const std::string table : {"sweep", "rows"}) {
+        const std::string text = good_case + "[study.swept]\nsoil = \"sand\"\nparticles = 3000\n" + table +
+                                 " = { \"stage.rest.pressure\" = [\"100 kPa\", \"9 kPa\"] }\n"
+                                 "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n"
+                                 "[[study.swept.stage]]\nname = \"rest\"\ndo = \"settle\"\n"
+                                 "pressure = \"50 kPa\"\n";
+        const std::string once = resolved_toml(load(text, {"", {}, {"swept"}}));
+        const Case back = load(once);
+        EXPECT_EQ(resolved_toml(back), once);
+        const auto& rest = std::get<dem::SettleSpec>(back.studies[0].variants[1].stages[1].spec);
+        EXPECT_EQ(rest.loading.axis[2].value, 9e3);
+    }
 }
 
 TEST(Sweeps, OverTheSoilNeedNoOtherAndGiveEachSampleItsOwn) {
@@ -348,6 +362,49 @@ TEST(Set, OfAPresetThatIsNotInForceIsRefusedWithWhatToSetInstead) {
     EXPECT_NE(found.message.find("the preset in force is \"standard\""), std::string::npos) << found.message;
     EXPECT_NE(found.help.find("--preset quick"), std::string::npos);
     EXPECT_NE(found.help.find("presets.standard.particles"), std::string::npos);
+}
+
+/// good_case with what its study sweeps; a second study of the same soil sweeps nothing.
+std::string sweeping(const std::string& table, bool has_second = false) {
+    std::string text = good_case;
+    text.insert(text.find("particles"), table + "\n");
+    const std::size_t begin = good_case.find("[study.one]");
+    std::string second = good_case.substr(begin);
+    for (std::size_t at = 0; (at = second.find("study.one", at)) != std::string::npos;) {
+        second.replace(at, 9, "study.two");
+    }
+    return text + (has_second ? "\n" + second : "");
+}
+
+TEST(Set, OfAKeyThatTheStudySweepsIsRefusedWithTheListToSet) {
+    const std::string sweep =
+        R"(sweep = { "stage.initial.pressure" = ["50 kPa", "60 kPa"], "contact.friction" = ["30 deg"], finer_than = ["0.2 mm"], seed = [3] })";
+    for (const std::string set :
+         {"study.one.stage.initial.pressure=\"70 kPa\"", "contact.friction=\"20 deg\"",
+          "soil.sand.fines.finer_than=\"0.1 mm\"", "seed=4"}) {
+        const Diagnostic found = find_problem(problems_of(sweeping(sweep), {"", {set}}), "E405");
+        EXPECT_NE(found.message.find("the study \"one\" has values of its own for `"), std::string::npos)
+            << set << "\n"
+            << found.message;
+        EXPECT_EQ(found.file, "--set");
+    }
+    const Diagnostic found =
+        find_problem(problems_of(sweeping(sweep), {"", {"study.one.stage.initial.pressure=\"70 kPa\""}}), "E405");
+    EXPECT_NE(found.help.find("'study.one.sweep.stage.initial.pressure=[VALUE, VALUE]'"), std::string::npos);
+    const std::vector<Variant> set =
+        load(sweeping(sweep), {"", {"study.one.sweep.stage.initial.pressure=[\"70 kPa\"]"}}).studies[0].variants;
+    ASSERT_EQ(set.size(), 1U) << "the other keys of the sweep stay";
+    EXPECT_EQ(std::get<packing::CompactSpec>(set[0].stages[1].spec).pressure, 7e4);
+}
+
+TEST(Set, OfAKeyThatOnlySomeStudiesSweepHoldsForTheOthers) {
+    const std::string text = sweeping(R"(sweep = { "contact.friction" = ["30 deg"] })", true);
+    const LoadOptions both{"", {"contact.friction=\"20 deg\""}};
+    EXPECT_NEAR(load(text, both).studies[1].variants[0].material.friction, radians(20), 1e-12);
+    EXPECT_NEAR(load(text, both).studies[0].variants[0].material.friction, radians(30), 1e-12);
+    LoadOptions one = both;
+    one.studies = {"one"};
+    EXPECT_EQ(find_problem(problems_of(text, one), "E405").file, "--set");
 }
 
 TEST(Set, ARefinementThatCannotBeReadIsReportedOnce) {

@@ -99,18 +99,26 @@ void check_refine(ReadContext& context, const Study& study, const std::string& p
     }
 }
 
-/// A value is known by its folder: two that are written alike there would take each other's results for their own.
+/// A value is known by its folder: two that are written alike there would take each other's results for their own. Two
+/// that are equal would count twice.
 void check_folders(ReadContext& context, const Study& study, const Node& node) {
     for (const Sweep& sweep : study.sweep) {
         std::map<std::string, std::string> taken; // folder -> value
-        for (const Scalar& value : sweep.values) {
+        for (auto at = sweep.values.begin(); at != sweep.values.end(); ++at) {
+            const Scalar& value = *at;
             const std::string text = print_value(make_node(value)), folder = folder_of(sweep.key, value);
             const auto [known, is_new] = taken.emplace(folder, text);
-            if (!is_new) {
+            const auto same =
+                std::find_if(sweep.values.begin(), at, [&](const Scalar& other) { return same_value(other, value); });
+            if (!is_new || same != at) {
                 context.problems.error(
                     "E204", place_in_sweep(node.find("sweep")->value.find(sweep.key)->value, value),
-                    fmt::format("{} and {} of `{}` would share the folder {}", known->second, text, sweep.key, folder),
-                    "keep one of them, or values that differ in their first six digits"
+                    is_new
+                        ? fmt::format("{} and {} of `{}` are the same", print_value(make_node(*same)), text, sweep.key)
+                        : fmt::format(
+                              "{} and {} of `{}` would share the folder {}", known->second, text, sweep.key, folder
+                          ),
+                    is_new ? "keep one of them" : "keep one of them, or values that differ in their first six digits"
                 );
             }
         }
@@ -317,11 +325,12 @@ Study read_study(ReadContext& context, const StudySurroundings& around, const No
 namespace {
 
 /// A settling's pressure is written as stresses; where it is swept it stays a pressure, which the values replace.
-void keep_swept_pressure(Node& stage, const std::string& name, const std::vector<Sweep>& sweeps) {
-    for (const Sweep& sweep : sweeps) {
-        if (sweep.key == fmt::format("stage.{}.pressure", name) && stage.find("stress") != nullptr) {
+void keep_swept_pressure(Node& stage, const std::string& name, const Study& study) {
+    for (const std::vector<Sweep>* const sweeps : {&study.sweep, &study.rows}) {
+        const auto swept = std::ranges::find(*sweeps, fmt::format("stage.{}.pressure", name), &Sweep::key);
+        if (swept != sweeps->end() && stage.find("stress") != nullptr) {
             std::erase_if(stage.entries, [](const Node::Entry& entry) { return entry.key == "stress"; });
-            stage.set("pressure", make_node(sweep.values.front()));
+            stage.set("pressure", make_node(swept->values.front()));
         }
     }
 }
@@ -344,7 +353,7 @@ Node write_study(const Study& study) {
     std::vector<Node> stages;
     for (const Stage& stage : study.stages) {
         stages.push_back(write_stage(stage));
-        keep_swept_pressure(stages.back(), stage.name, study.sweep);
+        keep_swept_pressure(stages.back(), stage.name, study);
     }
     v.set("stage", make_array(std::move(stages)));
     return v.node();
