@@ -101,18 +101,20 @@ py::tuple swept_value(const std::string& key, const casefile::Scalar& value) {
                                   : py::make_tuple(number->value, si_unit(number->dimension));
 }
 
-/// Of each sample of a run, in the order of the sweep: its folder, stages, and swept values by the key's last word; by
-/// the whole key where two end alike.
+/// Of each sample of a run, in the order of the sweep: its folder, stages, and the values of the sweep and of its row
+/// by the key's last word; by the whole key where two end alike.
 py::list samples_of(const std::filesystem::path& run) {
     py::list list;
     for (const casefile::Study& study : record::load_run(run).studies) {
+        std::vector<casefile::Sweep> own = study.sweep;
+        own.insert(own.end(), study.rows.begin(), study.rows.end());
         std::map<std::string, int> ends;
-        for (const casefile::Sweep& sweep : study.sweep) {
+        for (const casefile::Sweep& sweep : own) {
             ++ends[casefile::short_name(sweep.key)];
         }
         for (const casefile::Variant& variant : study.variants) {
             py::dict values;
-            for (const casefile::Sweep& sweep : study.sweep) {
+            for (const casefile::Sweep& sweep : own) {
                 const std::string name = casefile::short_name(sweep.key);
                 values[py::str(ends[name] > 1 ? sweep.key : name)] =
                     swept_value(sweep.key, variant.values.at(sweep.key));

@@ -76,6 +76,16 @@ def test_samples_are_in_the_order_of_the_sweep_with_their_values_as_numbers(tmp_
         assert table.units["friction"] == "rad" and table[:2].units["friction"] == "rad"
 
 
+def test_keys_that_change_together_are_columns_too(tmp_path):
+    sweep = next(line for line in SWEPT.splitlines() if line.startswith("sweep"))
+    rows = 'rows = { "contact.friction" = ["20 deg", "30 deg"], "stage.settled.pressure" = ["100 kPa", "90 kPa"] }'
+    (tmp_path / "case.toml").write_text(SWEPT.replace(sweep, rows))
+    (tmp_path / "packing.csv").write_bytes(PACKING.read_bytes())
+    table = suffuse.Case(tmp_path / "case.toml").run(tmp_path / "run").table("samples")
+    assert table["pressure"].tolist() == [100e3, 90e3] and table.units["pressure"] == "Pa"
+    assert table["friction"].tolist() == pytest.approx([math.pi / 9, math.pi / 6])
+
+
 def test_rows_lack_what_others_have():
     table = gather([{"a": 1, "word": "x"}, {"a": 2, "b": True}, {}])
     assert table["a"][:2].tolist() == [1, 2] and numpy.isnan(table["a"][2])

@@ -83,9 +83,10 @@ std::string density(const FinesStudy& study) {
     const bool falls = least.fines_content > loose.front().fines_content;
     const Reading& other = falls ? loose.front() : loose.back();
     std::string text = fmt::format(
-        "The void ratio of the loose state {} {} at FC = {} {} its least, {}, at FC = {}", falls ? "falls from" : "is",
-        with_scatter(other.value), percent_name(other.fines_content), falls ? "to" : "and has",
-        with_scatter(least.value), percent_name(least.fines_content)
+        "The void ratio of the {} {} {} at FC = {} {} its least, {}, at FC = {}",
+        study::name_of_loose(study.loose, study.dense), falls ? "falls from" : "is", with_scatter(other.value),
+        percent_name(other.fines_content), falls ? "to" : "and has", with_scatter(least.value),
+        percent_name(least.fines_content)
     );
     if (dense.size() > 1) {
         const Reading densest = *std::min_element(dense.begin(), dense.end(), is_less);
@@ -155,10 +156,10 @@ std::string strength(const study::FinesSweep& sweep) {
         return {};
     }
     return fmt::format(
-        "In drained compression of the loose samples the highest deviator stress is {} kPa at FC = {} and {} kPa at FC "
-        "= {}.",
-        with_scatter(peaks.front().value, 1e-3), percent_name(peaks.front().fines_content),
-        with_scatter(peaks.back().value, 1e-3), percent_name(peaks.back().fines_content)
+        "In drained compression from the {} the highest deviator stress is {} kPa at FC = {} and {} kPa at FC = {}.",
+        study::name_of_loose(sweep.curves.loose, sweep.curves.dense), with_scatter(peaks.front().value, 1e-3),
+        percent_name(peaks.front().fines_content), with_scatter(peaks.back().value, 1e-3),
+        percent_name(peaks.back().fines_content)
     );
 }
 
@@ -193,8 +194,8 @@ std::string thresholds_sentence(const std::optional<study::FinesResults>& result
     };
     using enum study::ThresholdKind;
     std::string text = fmt::format(
-        "Through {} fines contents, by a parabola at its lowest points, the least void ratio of the loose state {}",
-        results->loose.points.size(), lies(LowestLoose)
+        "Through {} fines contents, by a parabola at its lowest points, the least void ratio of the {} {}",
+        results->loose.points.size(), study::name_of_loose(results->loose, results->dense), lies(LowestLoose)
     );
     if (!results->dense.points.empty()) {
         text += fmt::format(", that of the dense one {}", lies(LowestDense));

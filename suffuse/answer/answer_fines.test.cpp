@@ -20,15 +20,16 @@ study::SweepPoint point_at(double content, const char* number, double value) {
 
 TEST(FinesFindings, AThresholdThatCannotBeLocatedIsReportedAsNone) {
     study::FinesResults results;
+    results.loose.stage = "poured";
     for (const double content : {0.0, 0.1, 0.2, 0.3, 1.0}) {
         results.loose.points.push_back(point_at(content, "void_ratio", (content - 0.35) * (content - 0.35)));
     }
     results.thresholds = study::find_thresholds(results.loose, nullptr);
     EXPECT_EQ(
         thresholds_sentence(results),
-        "Through 5 fines contents, by a parabola at its lowest points, the least void ratio of the loose state cannot "
-        "be placed by these fines contents; active fines show no onset, strong contacts between coarse and fine grains "
-        "show no onset."
+        "Through 5 fines contents, by a parabola at its lowest points, the least void ratio of the state “poured” "
+        "cannot be placed by these fines contents; active fines show no onset, strong contacts between coarse and fine "
+        "grains show no onset."
     );
     results.thresholds.front().at = study::scatter_of({0.38, 0.42});
     EXPECT_NE(thresholds_sentence(results).find("is at FC = 40.0 ± 2.8 %;"), std::string::npos)
@@ -36,9 +37,11 @@ TEST(FinesFindings, AThresholdThatCannotBeLocatedIsReportedAsNone) {
 }
 
 TEST(FinesAnswer, ALeastVoidRatioAtTheFirstFinesContentIsNoFall) {
-    const auto reported = [](const std::vector<double>& void_ratios) {
+    const auto reported = [](const std::vector<double>& void_ratios, bool with_dense = true) {
         casefile::Study study;
         study::FinesSweep sweep{.study = &study};
+        sweep.curves.loose.stage = "poured";
+        sweep.curves.dense.points.resize(with_dense ? 1 : 0);
         double content = 0.4;
         for (const double e : void_ratios) {
             sweep.curves.fines_content.push_back(content);

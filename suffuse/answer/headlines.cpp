@@ -146,7 +146,8 @@ std::string passes_in_words(const study::ErosionSpan& span) {
 std::string point_in_words(const study::StudyOutcome& outcome, const study::OutcomePoint& point) {
     std::string words;
     for (std::size_t k = 0; k < outcome.keys.size(); ++k) {
-        words += (k == 0 ? "" : ", ") + study::key_in_words(outcome.keys[k]) + " " + value_in_words(point.at, k);
+        words += (k == 0 ? "" : ", ") + study::key_in_words(outcome.keys[k], outcome.keys) + " " +
+                 value_in_words(point.at, k);
     }
     return words;
 }

@@ -16,6 +16,7 @@ using erosion::MigrationResult;
 using record::FinishedStage;
 
 constexpr std::size_t most_named = 3, most_rows = 60;
+constexpr double one_look = 1.5; // of `still_for`
 
 double left_share(const FinishedStage& stage) {
     return share_of_own(migration_of(stage)) * last_hold(stage).eroded_mass_share;
@@ -29,14 +30,17 @@ double seconds_of(const MigrationResult& result) {
     return result.rows.empty() ? 0 : result.rows.back().time;
 }
 
-/// "12 % still move", "motion ended".
+/// "12 % still move at the end", "motion ended". The first look sees what moved at all since the hold began.
 std::string motion_text(const FinishedStage& stage) {
-    return last_hold(stage).ended
-               ? "motion ended"
-               : percent_text(share_of_own(migration_of(stage)) * last_hold(stage).moving_mass_share) + " still move";
+    const MigrationHold& last = last_hold(stage);
+    const auto* spec = std::get_if<erosion::MigrateSpec>(&stage.stage->spec);
+    const bool is_one_look = spec != nullptr && last.held_for < one_look * spec->still_for;
+    return last.ended ? "motion ended"
+                      : percent_text(share_of_own(migration_of(stage)) * last.moving_mass_share) +
+                            (is_one_look ? " moved, in a hold too short to see motion end" : " still move at the end");
 }
 
-/// "water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % still move."
+/// "water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % still move at the end."
 std::string what_left(const FinishedStage& stage) {
     const double left = left_share(stage);
     return fmt::format(
@@ -144,7 +148,7 @@ std::vector<Headline> migration_headlines(const FinishedStages& stages) {
                 short_number(permeability_change(*stage))
             )};
         card.lead = last_hold(*stage).ended || left == 0 ? "" : "at least";
-        card.caution = last_hold(*stage).ended ? "" : motion_text(*stage) + " at the end.";
+        card.caution = last_hold(*stage).ended ? "" : motion_text(*stage) + ".";
         cards.push_back(std::move(card));
     }
     return cards;

@@ -42,7 +42,12 @@ TEST(MigrationWords, SayWhatLeftAtWhichGradientAndWhetherMotionEnded) {
     run.add(0.14, false);
     EXPECT_EQ(
         migration_verdict(run.found()).front(),
-        "Water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % still move."
+        "Water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % still move at the end."
+    );
+    std::get<erosion::MigrateSpec>(run.stage.spec).still_for = 2; // as long as the hold
+    EXPECT_EQ(
+        migration_verdict(run.found()).front(),
+        "Water up to i = 0.6 carries out 14 % of the fines in 3 s; 12 % moved, in a hold too short to see motion end."
     );
     MigrationRun still;
     still.add(0, true);

@@ -161,7 +161,7 @@ tabulate_samples(const StudyOutcome& outcome, const flow::Fluid& fluid, const st
         table.note += fmt::format(" First movements are those of the stage “{}”.", outcome.first_probe);
     }
     for (const std::string& key : outcome.keys) {
-        table.header.push_back(study::key_in_words(key));
+        table.header.push_back(study::key_in_words(key, outcome.keys));
     }
     table.header.emplace_back("seeds");
     for (const Result which : shown) {

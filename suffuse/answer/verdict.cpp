@@ -370,6 +370,15 @@ std::vector<std::string> verdict_of_run(const RunResults& results) {
                                  : describe_state_of(*point, results.what->fluid);
         break;
     }
+    const StudyOutcome* const outcome = reported_outcome(results);
+    if (point != nullptr && outcome->points.size() < outcome->all_points() && outcome->points.size() == 1) {
+        lines.insert(
+            lines.begin(), fmt::format(
+                               "One of {} points of the sweep has a result: {}.", outcome->all_points(),
+                               point_in_words(*outcome, *point)
+                           )
+        );
+    }
     lines.resize(std::min(lines.size(), most_lines));
     return lines;
 }

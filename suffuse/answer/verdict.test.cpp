@@ -193,6 +193,13 @@ TEST_F(Verdict, OfASweepCountsThePointsThatHaveTheResult) {
     EXPECT_EQ(open_answer(results, {}).cards.front().detail, "the same within scatter at 2 of 4 points");
 }
 
+TEST_F(Verdict, OfOnePointOfASweepSaysWhichItIs) {
+    sweep(Result::Strength, {{"0.05", {338e3}}});
+    results.outcomes.front().specified = 4;
+    EXPECT_EQ(verdict().front(), "One of 4 points of the sweep has a result: gradient 0.05.");
+    EXPECT_EQ(verdict().at(1), "The soil bears a deviator stress of 338 kPa.");
+}
+
 TEST_F(Verdict, OfASweepOfSingleSamplesSpeaksOfNoScatter) {
     sweep(Result::ErodedMass, {{"0.05", {0.120}}, {"0.1", {0.124}}});
     EXPECT_EQ(verdict().front(), "The gradient changes the mass carried out little: 12 % to 12 %, one sample each.");

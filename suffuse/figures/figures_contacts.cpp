@@ -113,7 +113,8 @@ std::optional<Figure> contact_classes(const study::FinesStudy& study) {
     figure.claim = fmt::format(
         "Large-small contacts are most frequent at FC = {} ({} %)", study::percent_name(at), short_number(100 * most)
     );
-    figure.caption = "Shares of the contacts by class, loose state.";
+    figure.caption =
+        fmt::format("Shares of the contacts by class, {}.", study::name_of_loose(study.loose, study.dense));
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, lines, "share_of_contacts", "share of all contacts [%]", study.activity);
     set_domain(figure.chart, 100);
@@ -137,8 +138,10 @@ std::optional<Figure> strong_contacts(const study::FinesStudy& study) {
         "Strong large-small contacts are most frequent at FC = {} ({} %)", study::percent_name(at),
         short_number(100 * most)
     );
-    figure.caption =
-        "Share of large-small contacts among those whose force exceeds the mean over all contacts, loose state.";
+    figure.caption = fmt::format(
+        "Share of large-small contacts among those whose force exceeds the mean over all contacts, {}.",
+        study::name_of_loose(study.loose, study.dense)
+    );
     figure.caption += " Inset: active fines part large grains and pass strong forces between them.";
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, {line}, "strong_share", "LS among the strong contacts [%]", study.activity);

@@ -51,7 +51,8 @@ double top_of_loose_panel(const study::FinesStudy& study) {
 } // namespace
 
 std::optional<Figure> void_ratios(const study::FinesStudy& study) {
-    const FinesLine e{"e (loose)", color::staying, &study.loose, "void_ratio"};
+    const std::string state = study::name_of_loose(study.loose, study.dense);
+    const FinesLine e{study.dense.points.empty() ? "e" : "e (loose)", color::staying, &study.loose, "void_ratio"};
     const FinesLine e_min{"e_min (densest)", color::detachable, &study.dense, "void_ratio"};
     const FinesLine e_g{"e_g (all fines as voids)", color::fines, &study.loose, "intergranular_void_ratio"};
     const FinesLine e_eq{"e_eq (inactive fines as voids)", color::sequence()[2], &study.loose, "equivalent_void_ratio"};
@@ -74,7 +75,7 @@ std::optional<Figure> void_ratios(const study::FinesStudy& study) {
     figure.id = "fig03";
     figure.section = "Fines and structure";
     figure.title = "Void ratios over the fines content";
-    figure.claim = fmt::format("The loose state has its lowest void ratio at {}", lowest(study, e));
+    figure.claim = fmt::format("The {} has its lowest void ratio at {}", state, lowest(study, e));
     if (!study.dense.points.empty()) {
         figure.caption = fmt::format("The densest state has its lowest e_min at {}.", lowest(study, e_min));
     }
@@ -92,7 +93,7 @@ std::optional<Figure> void_ratios(const study::FinesStudy& study) {
     figure.caption += about_bars(numbers.most_samples());
     json panels = json::array();
     panels.push_back(fines_panel(study, first, "void_ratio", "(a) void ratio e, e_min [-]", study.density, "a"));
-    panels.push_back(fines_panel(study, second, "void_ratio", "(b) e, e_g, e_eq, loose [-]", {}, "b"));
+    panels.push_back(fines_panel(study, second, "void_ratio", "(b) e, e_g, e_eq [-]", {}, "b"));
     for (json& layer : panels[0]["layer"]) {
         if (layer["encoding"].contains("y") && !layer["encoding"]["y"].contains("scale")) {
             layer["encoding"]["y"]["scale"] = {{"zero", false}};
@@ -122,7 +123,10 @@ std::optional<Figure> active_fines(const study::FinesStudy& study) {
     figure.section = "Fines and structure";
     figure.title = "Active share of the fines";
     figure.claim = fmt::format("The active share of the fines is highest at {}", extreme(study, b, std::greater<>{}));
-    figure.caption = "b: volume of the fines with at least two contacts over the volume of all fines, loose state.";
+    figure.caption = fmt::format(
+        "b: volume of the fines with at least two contacts over the volume of all fines, {}.",
+        study::name_of_loose(study.loose, study.dense)
+    );
     figure.caption += about_bars(numbers.most_samples());
     figure.chart = fines_panel(study, {b}, "active_fines", "active share of the fines b [-]", study.activity);
     for (json& layer : figure.chart["layer"]) {

@@ -24,8 +24,9 @@ constexpr std::size_t most_swept_lines = 6; ///< as many as there are colors
 std::string line_of(const StudyOutcome& outcome, const OutcomePoint& point) {
     std::string name;
     for (std::size_t k = 1; k < outcome.keys.size(); ++k) {
-        name +=
-            fmt::format("{}{} {}", name.empty() ? "" : ", ", study::key_in_words(outcome.keys[k]), point.at.written[k]);
+        name += fmt::format(
+            "{}{} {}", name.empty() ? "" : ", ", study::key_in_words(outcome.keys[k], outcome.keys), point.at.written[k]
+        );
     }
     return name;
 }
@@ -61,7 +62,7 @@ std::optional<std::string> common_unit(const StudyOutcome& outcome) {
 /// "friction [deg]": the first key as the title of an axis.
 std::string title_of_key(const StudyOutcome& outcome) {
     const std::string unit = common_unit(outcome).value_or("");
-    return study::key_in_words(outcome.keys.front()) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
+    return study::key_in_words(outcome.keys.front(), outcome.keys) + (unit.empty() ? "" : fmt::format(" [{}]", unit));
 }
 
 /// Columns of a sweep's results, a row for each sample.

@@ -27,6 +27,10 @@ std::optional<double> by_definition(double fines_content, const std::string& nam
 
 } // namespace
 
+std::string name_of_loose(const StageCurve& loose, const StageCurve& dense) {
+    return dense.points.empty() ? fmt::format("state “{}”", loose.stage) : "loose state";
+}
+
 Scatter number_of(const SweepPoint& point, double fines_content, const std::string& name) {
     if (const auto found = point.number.find(name); found != point.number.end() && found->second.seeds > 0) {
         return found->second;

@@ -26,6 +26,9 @@ struct FinesStudy {
     std::vector<Threshold> activity;   ///< FC_active, marked in Figures 4 to 6
 };
 
+/// "loose state"; "state “initial”" of a study without a dense one: nobody knows how loose it is.
+std::string name_of_loose(const StageCurve& loose, const StageCurve& dense);
+
 /// The mixture at one fines content.
 struct Mixture {
     double fines_content = 0; ///< requested [-]

@@ -87,7 +87,7 @@ std::string other_values(const FinesSweep& sweep) {
         for (std::size_t k = 0; k < sweep.traced.keys.size(); ++k) {
             if (k != sweep.key) {
                 words += fmt::format(
-                    "{}{} {}", words.empty() ? "" : ", ", key_in_words(sweep.traced.keys[k]),
+                    "{}{} {}", words.empty() ? "" : ", ", key_in_words(sweep.traced.keys[k], sweep.traced.keys),
                     loose->points.front().written[k]
                 );
             }

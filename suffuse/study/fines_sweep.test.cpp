@@ -44,6 +44,12 @@ struct TwoLooseStages {
     }
 };
 
+TEST(FinesSweep, AStateWithoutADenserOneIsNotCalledLoose) {
+    const StageCurve none, dense{"dense", {at(0, 0.6)}};
+    EXPECT_EQ(name_of_loose({"poured", {at(0, 0.9)}}, dense), "loose state");
+    EXPECT_EQ(name_of_loose({"smooth", {at(0, 0.9)}}, none), "state “smooth”");
+}
+
 TEST(FinesSweep, ALooseStateMadeByTwoStagesIsOneCurve) {
     const TwoLooseStages made;
     const std::optional<FinesSweep> sweep = find_fines_sweep(made.what, made.traced);

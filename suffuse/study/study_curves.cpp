@@ -55,6 +55,16 @@ std::string seeds_that_have(const Scatter& scatter) {
     return scatter.seeds == all_seeds ? "" : fmt::format(", in {} of {} seeds", scatter.seeds, all_seeds);
 }
 
+std::string key_in_words(const std::string& key, const std::vector<std::string>& keys) {
+    const auto last_of = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+    const bool is_alone = std::ranges::none_of(keys, [&](const std::string& other) {
+        return other != key && last_of(other) == last_of(key);
+    });
+    std::string word = is_alone ? last_of(key) : key;
+    std::ranges::replace(word, '_', ' ');
+    return word;
+}
+
 const StageCurve* StudyCurves::find(const std::string& stage) const {
     const auto found =
         std::find_if(stages.begin(), stages.end(), [&](const StageCurve& c) { return c.stage == stage; });

@@ -2,6 +2,8 @@
 // What a study measured, as curves over its sweep: for each stage and each set of sweep values every number of the
 // stage, seed by seed, with mean and scatter. What figures with error bars, thresholds and findings are made from.
 
+#include "suffuse/casefile/case.hpp"
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -30,6 +32,10 @@ std::string with_scatter(const Scatter& value, double factor = 1, int digits = 3
 /// ", in 1 of 3 seeds" where some have none; nothing where all have it.
 std::string seeds_that_have(const Scatter& scatter);
 
+/// "fines content", "gradient", "friction": a swept key by its last part, in words; the whole path of its table, too,
+/// where another of `keys` ends alike: "stage.initial pressure".
+std::string key_in_words(const std::string& key, const std::vector<std::string>& keys = {});
+
 /// One set of sweep values.
 struct SweepPoint {
     std::vector<double> value;        ///< of each swept key, in SI; not a number for words
@@ -37,6 +43,7 @@ struct SweepPoint {
     std::vector<std::uint64_t> seed;  ///< of the replicates that are there
     /// By the names of stage.json; those of inner objects are joined by points: "contact_share.LS".
     std::map<std::string, Scatter> number;
+    std::map<std::string, casefile::Scalar> of_row; ///< values of the row of `rows` that it chooses, by their keys
 };
 
 /// One stage over the sweep, in the order of the values.

@@ -1,6 +1,7 @@
 #include "suffuse/study/study_outcome.hpp"
 
 #include "suffuse/base/error.hpp"
+#include "suffuse/base/student.hpp"
 #include "suffuse/study/mobility_story.hpp"
 #include "suffuse/study/sample_results.hpp"
 #include "suffuse/study/trace_curves.hpp"
@@ -94,12 +95,6 @@ ResultScale scale_of(Result which) {
     throw Bug("a result without a scale");
 }
 
-std::string key_in_words(const std::string& key) {
-    std::string word = key.substr(key.rfind('.') + 1);
-    std::ranges::replace(word, '_', ' ');
-    return word;
-}
-
 const Scatter* OutcomePoint::find(Result which) const {
     const auto found = result.find(which);
     return found == result.end() ? nullptr : &found->second;
@@ -187,8 +182,38 @@ const StudyOutcome* main_outcome(const std::vector<StudyOutcome>& outcomes) {
     return main == outcomes.end() ? nullptr : &*main;
 }
 
+namespace {
+
+/// By seed, what the second point has more than the first.
+std::vector<double> differences_by_seed(const OutcomePoint& first, const OutcomePoint& second, Result which) {
+    std::map<std::uint64_t, double> of_seed;
+    for (std::size_t k = 0; k < first.at.seed.size(); ++k) {
+        of_seed[first.at.seed[k]] = first.find(which)->of_seed[k];
+    }
+    std::vector<double> differences;
+    for (std::size_t k = 0; k < second.at.seed.size(); ++k) {
+        if (const auto pair = of_seed.find(second.at.seed[k]); pair != of_seed.end()) {
+            differences.push_back(second.find(which)->of_seed[k] - pair->second);
+        }
+    }
+    return differences;
+}
+
+/// How far the means of two points can be apart by chance.
+double apart_by_chance(const OutcomePoint& first, const OutcomePoint& second, Result which, double largest_deviation) {
+    constexpr double deviations = 2; // of single samples
+    const Scatter difference = scatter_of(differences_by_seed(first, second, which));
+    if (difference.seeds < 2) {
+        return deviations * largest_deviation;
+    }
+    const auto pairs = static_cast<std::size_t>(difference.seeds);
+    return student_90(pairs - 1) * difference.standard_deviation / std::sqrt(difference.seeds);
+}
+
+} // namespace
+
 SweepEffect effect_of_sweep(const StudyOutcome& outcome, Result which) {
-    constexpr double notable = 0.05, deviations = 2;
+    constexpr double notable = 0.05;
     SweepEffect effect;
     double largest_deviation = 0, size = 0;
     const auto mean = [&](const OutcomePoint* point) { return point->find(which)->mean; };
@@ -208,7 +233,8 @@ SweepEffect effect_of_sweep(const StudyOutcome& outcome, Result which) {
         size = std::max(size, std::abs(value->mean));
     }
     if (effect.points > 0) {
-        const double apart = mean(effect.most) - mean(effect.least), scatter = deviations * largest_deviation;
+        const double apart = mean(effect.most) - mean(effect.least);
+        const double scatter = apart_by_chance(*effect.least, *effect.most, which, largest_deviation);
         effect.difference = apart > std::max({scatter, notable * size, scale_of(which).least}) ? Difference::Clear
                             : effect.has_scatter() && apart <= scatter ? Difference::WithinScatter
                                                                        : Difference::Small;
@@ -223,7 +249,7 @@ bool depends_on_sweep(const StudyOutcome& outcome, Result which) {
 std::string keys_in_words(const StudyOutcome& outcome) {
     std::string words;
     for (const std::string& key : outcome.keys) {
-        words += (words.empty() ? "" : &key == &outcome.keys.back() ? " and " : ", ") + key_in_words(key);
+        words += (words.empty() ? "" : &key == &outcome.keys.back() ? " and " : ", ") + key_in_words(key, outcome.keys);
     }
     return words;
 }

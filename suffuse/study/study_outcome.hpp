@@ -41,9 +41,6 @@ struct ResultScale {
 
 ResultScale scale_of(Result which);
 
-/// "fines content", "gradient", "friction": a swept key by its last part, in words.
-std::string key_in_words(const std::string& key);
-
 /// The samples at one set of sweep values that have a result.
 struct OutcomePoint {
     SweepPoint at;                                 ///< its values and seeds; without numbers
@@ -87,8 +84,9 @@ std::optional<Result> main_result(const StudyOutcome& outcome);
 
 /// How the means of a result differ over a sweep.
 enum class Difference {
-    Clear, ///< by more than twice the largest deviation, a twentieth of the mean and the least change that counts
-    WithinScatter, ///< by no more than twice the largest deviation
+    Clear,         ///< by more than by chance, a twentieth of the mean and the least change that counts
+    WithinScatter, ///< by no more than by chance: the 90 % interval of the mean of differences by seed; without two
+                   ///< pairs of one seed, twice the largest deviation
     Small          ///< by less than counts; of single samples nobody knows the scatter
 };
 

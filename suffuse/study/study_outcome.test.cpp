@@ -166,6 +166,36 @@ TEST(StudyOutcome, ASweepOfSingleSamplesIsNeverWithinScatter) {
     EXPECT_EQ(effect({1e5}, {2e5}), Difference::Clear);
 }
 
+TEST(StudyOutcome, ASweepIsJudgedByTheDifferencesOfSamplesOfOneSeed) {
+    const auto effect = [](const std::vector<double>& at_first, const std::vector<double>& at_last,
+                           std::vector<std::uint64_t> seeds_at_last) {
+        StudyOutcome outcome;
+        outcome.points.resize(2);
+        outcome.points[0].at.seed = {1, 2, 3};
+        outcome.points[1].at.seed = std::move(seeds_at_last);
+        outcome.points[0].result[Result::Strength] = scatter_of(at_first);
+        outcome.points[1].result[Result::Strength] = scatter_of(at_last);
+        return effect_of_sweep(outcome, Result::Strength).difference;
+    };
+    // Samples differ by more than the sweep changes, but each is changed alike.
+    EXPECT_EQ(effect({1e5, 1.3e5, 1.6e5}, {1.1e5, 1.41e5, 1.69e5}, {1, 2, 3}), Difference::Clear);
+    EXPECT_EQ(effect({1e5, 1.3e5, 1.6e5}, {1.1e5, 1.41e5, 1.69e5}, {4, 5, 6}), Difference::WithinScatter)
+        << "no pairs: twice the deviation of single samples";
+    // 1, -1 and 3 more: 1 ± 2, a standard error of 1.15, times Student's 2.92.
+    EXPECT_EQ(effect({1e5, 1e5, 1e5}, {1.1e5, 0.9e5, 1.3e5}, {1, 2, 3}), Difference::WithinScatter);
+    EXPECT_EQ(effect({1e5, 1e5, 1e5}, {1.4e5, 1.2e5, 1.6e5}, {1, 2, 3}), Difference::Clear) << "4 ± 2";
+    EXPECT_EQ(effect({1e5, 1.3e5, std::nan("")}, {1.1e5, 1.9e5, 5e5}, {1, 2, 3}), Difference::WithinScatter)
+        << "two pairs, 1 and 6, by Student's 6.31";
+}
+
+TEST(StudyOutcome, KeysWithOneLastWordAreDistinguishedByTheirStages) {
+    const std::vector<std::string> keys = {
+        "stage.initial.pressure", "stage.second.pressure", "contact.rolling_friction"};
+    EXPECT_EQ(key_in_words(keys[0], keys), "stage.initial.pressure");
+    EXPECT_EQ(key_in_words(keys[2], keys), "rolling friction");
+    EXPECT_EQ(key_in_words(keys[0]), "pressure");
+}
+
 TEST(StudyOutcome, SamplesAgreeWhereTheirNumbersHaveTheSameBits) {
     EXPECT_TRUE(agree(scatter_of({0.1, 0.1, 0.1}))) << "though the mean of three is rounded";
     EXPECT_FALSE(agree(scatter_of({0.1, 0.1 + 1e-15})));

@@ -89,6 +89,10 @@ json values_json(const std::vector<std::string>& keys, const SweepPoint& point) 
     for (std::size_t k = 0; k < keys.size(); ++k) {
         values[keys[k]] = std::isnan(point.value[k]) ? json(point.written[k]) : json(point.value[k]);
     }
+    for (const auto& [key, value] : point.of_row) {
+        const std::optional<Quantity> quantity = casefile::quantity_of(value);
+        values[key] = quantity ? json(quantity->value) : json(casefile::written(value));
+    }
     return values;
 }
 
@@ -126,6 +130,9 @@ SweepPoint point_of(const casefile::Study& study, const casefile::Variant& varia
         point.value.push_back(quantity ? quantity->value : std::nan(""));
         point.written.push_back(casefile::written(value));
     }
+    for (const casefile::Sweep& column : study.rows) {
+        point.of_row[column.key] = variant.values.at(column.key);
+    }
     return point;
 }
 
@@ -157,7 +164,7 @@ std::string values_name(const std::vector<std::string>& keys, const SweepPoint& 
     for (std::size_t k = 0; k < keys.size(); ++k) {
         name += name.empty() ? "" : ", ";
         name += keys[k] == "fines_content" ? "FC " + percent_name(point.value[k])
-                                           : keys[k].substr(keys[k].rfind('.') + 1) + " " + point.written[k];
+                                           : key_in_words(keys[k], keys) + " " + point.written[k];
     }
     return name;
 }

@@ -103,7 +103,7 @@ TEST(ErosionReport, DescribesAllErosionsAndNamesTheOneItShows) {
     const std::string page = text_of(folder.path() / "run/report.html");
     EXPECT_NE(page.find("All erosions"), std::string::npos);
     EXPECT_NE(page.find("2 erosions removed "), std::string::npos);
-    EXPECT_NE(page.find("the following describes s, forced, max_contacts 0"), std::string::npos);
+    EXPECT_NE(page.find("the following describes s, forced, max contacts 0"), std::string::npos);
 }
 
 /// Runs to the first sign that the stage has a pass behind it, stops, and goes on to the end.
