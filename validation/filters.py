@@ -26,7 +26,7 @@ def changes_of(study, quick):
         return {}
     fewer = {f"study.{study}.replicates": 1, f"study.{study}.stage.flow.hold_at_most": "100 ms"}
     if study == "single":
-        fewer["study.single.sweep"] = {"soil": [f"single-{ratio}" for ratio in ("3", "5", "6-2", "9")], "contact.friction": list(FRICTION)}
+        fewer["study.single.sweep"] = {"soil": [f"single-{ratio}" for ratio in ("3", "5", "6-2", "9")], "stage.flow.friction": list(FRICTION)}
     return fewer
 
 

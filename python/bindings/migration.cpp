@@ -80,9 +80,10 @@ py::dict to_dict(const erosion::Migration& migration) {
 py::dict migrate(
     WorldHandle& w, const Numbers& gradients, const Direction& direction, const Direction& down,
     const QuantityOrNone& exit, const std::string& skeleton, const Quantity& hold_at_most, const Quantity& still,
-    const Quantity& still_for, const Quantity& softness, const Quantity& with_water, const Quantity& solve_after,
-    const QuantityOrNone& feed, const QuantityOrNone& time_at_most, const std::optional<std::int64_t>& steps_at_most,
-    const Quantity& acceleration, const flow::Fluid& fluid, const CallableOrNone& on_progress
+    const Quantity& still_for, const Quantity& softness, const QuantityOrNone& friction, const Quantity& with_water,
+    const Quantity& solve_after, const QuantityOrNone& feed, const QuantityOrNone& time_at_most,
+    const std::optional<std::int64_t>& steps_at_most, const Quantity& acceleration, const flow::Fluid& fluid,
+    const CallableOrNone& on_progress
 ) {
     const auto key = [](const char* name) -> const casefile::Key& { return key_of("stage.migrate", name); };
     const auto value = [&key](const Quantity& given, const char* name) { return value_of(key(name), given, name); };
@@ -95,6 +96,7 @@ py::dict migrate(
     spec.still = value(still, "still");
     spec.still_for = value(still_for, "still_for");
     spec.softness = value(softness, "softness");
+    spec.friction = optional_value_of(key("friction"), friction, "friction");
     spec.with_water = value(with_water, "with_water");
     spec.solve_after = value(solve_after, "solve_after");
     spec.feed = optional_value_of(key("feed"), feed, "feed");
@@ -135,10 +137,10 @@ void bind_migration(py::module_& m) {
         "migrate", &migrate, py::arg("gradients"), py::kw_only(), py::arg("direction") = "z", py::arg("down") = "-z",
         py::arg("exit") = py::none(), py::arg("skeleton") = "held", py::arg("hold_at_most") = usual.hold_at_most,
         py::arg("still") = usual.still, py::arg("still_for") = usual.still_for, py::arg("softness") = usual.softness,
-        py::arg("with_water") = usual.with_water, py::arg("solve_after") = usual.solve_after,
-        py::arg("feed") = py::none(), py::arg("time_at_most") = py::none(), py::arg("steps_at_most") = py::none(),
-        py::arg("acceleration") = gravity, py::arg_v("fluid", flow::Fluid{}, "Fluid()"),
-        py::arg("on_progress") = py::none(),
+        py::arg("friction") = py::none(), py::arg("with_water") = usual.with_water,
+        py::arg("solve_after") = usual.solve_after, py::arg("feed") = py::none(), py::arg("time_at_most") = py::none(),
+        py::arg("steps_at_most") = py::none(), py::arg("acceleration") = gravity,
+        py::arg_v("fluid", flow::Fluid{}, "Fluid()"), py::arg("on_progress") = py::none(),
         with_keys(
             "Lets the fines travel with the water in true time while the skeleton is held, as a stage that does "
             "\"migrate\"; the grains that leave are removed from the world. Returns a dictionary: the numbers of "
@@ -159,6 +161,7 @@ void bind_migration(py::module_& m) {
              {"stage.migrate", "still"},
              {"stage.migrate", "still_for"},
              {"stage.migrate", "softness"},
+             {"stage.migrate", "friction"},
              {"stage.migrate", "with_water"},
              {"stage.migrate", "solve_after"},
              {"stage.migrate", "feed"},

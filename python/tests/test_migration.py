@@ -63,5 +63,7 @@ def test_impossible_settings_are_reported():
         pocket().migrate([])
     with pytest.raises(suffuse.CaseError, match="softness"):
         pocket().migrate([0.1], softness=0.5)
+    with pytest.raises(suffuse.CaseError, match="friction"):
+        pocket().migrate([0.1], friction="90 deg")
     with pytest.raises(suffuse.StateError, match="exit"):
         pocket().migrate([0.1], exit="1 m")

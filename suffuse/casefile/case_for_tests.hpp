@@ -102,6 +102,7 @@ hold_at_most = "500 ms"
 still = "1 %"
 still_for = "20 ms"
 softness = 1e-4
+friction = "10 deg"
 with_water = 0.3
 solve_after = 0.1
 feed = "0.5 kg/m^3"

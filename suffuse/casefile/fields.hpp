@@ -399,6 +399,7 @@ void fields(V& v, erosion::MigrateSpec& s) {
     v.field("still", s.still);
     v.field("still_for", s.still_for);
     v.field("softness", s.softness);
+    v.field("friction", s.friction);
     v.field("with_water", s.with_water);
     v.field("solve_after", s.solve_after);
     v.field("feed", s.feed);

@@ -1,6 +1,5 @@
 // Rows of the schema: top of the file, material, balance, fluid, soils, studies, output, report, presets.
 
-#include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
 #include "suffuse/contact/springs.hpp"
@@ -12,8 +11,6 @@
 namespace suffuse::casefile::detail {
 
 namespace {
-
-constexpr Range friction_range{0, pi / 2, false, true};
 
 /// "linear-rolling: linear springs, adhesion; hertz-mindlin: elastic spheres"
 std::string texts_of_laws(std::string_view contact::SpringWords::*what) {
@@ -81,7 +78,7 @@ std::vector<Key> contact_rows() {
             )
         ),
         quantity(
-            "contact", "friction", dimension::angle, friction_range,
+            "contact", "friction", dimension::angle, friction_angle,
             "Contact friction angle; preparation may use another."
         ),
         ratio("contact", "rolling_stiffness", from_zero, "kr = this x ks r1 r2; 0 = no rolling resistance."),

@@ -1,6 +1,7 @@
 #pragma once
 // Short words in which the rows of the schema are written, for the schema's own files.
 
+#include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/schema.hpp"
 
 #include <iterator>
@@ -13,6 +14,7 @@ inline constexpr Range above_zero{0, std::numeric_limits<double>::infinity(), tr
 inline constexpr Range from_zero{0, std::numeric_limits<double>::infinity(), false, false};
 inline constexpr Range share{0, 1, false, false};
 inline constexpr Range open_share{0, 1, true, true};
+inline constexpr Range friction_angle{0, pi / 2, false, true};
 inline constexpr Range from_one{1, 1e15, false, false}; ///< counts: well inside what a double holds exactly
 inline constexpr Range count_from_zero{0, 1e15, false, false};
 

@@ -1,6 +1,5 @@
 // Rows of the schema: stages that make samples and move them.
 
-#include "suffuse/base/constants.hpp"
 #include "suffuse/casefile/names.hpp"
 #include "suffuse/casefile/schema_row.hpp"
 
@@ -119,7 +118,6 @@ std::vector<Key> movement_rows() {
 } // namespace
 
 std::vector<Key> preparation_rows() {
-    const Range friction_range{0, pi / 2, false, true};
     std::vector<Key> rows = common_rows();
     append(
         rows,
@@ -194,7 +192,7 @@ std::vector<Key> preparation_rows() {
             ),
             table("stage.compact", "prepare", "How contacts behave during compaction only."),
             quantity(
-                "stage.compact.prepare", "friction", dimension::angle, friction_range,
+                "stage.compact.prepare", "friction", dimension::angle, friction_angle,
                 "Lowered contact friction: a dense sample. For a void ratio all but swift search it, and ignore the "
                 "one given."
             ),

@@ -200,6 +200,10 @@ std::vector<Key> migrate_rows() {
             "The overlap over the radius by which the load of 95 % of the fines presses two equal ones together. "
             "Contacts are as much softer; forces and time are real. Steps grow as its root."
         ),
+        quantity(
+            stage, "friction", dimension::angle, friction_angle,
+            "Contact friction angle while fines travel; that of the sample unless said."
+        ),
         ratio(
             stage, "with_water", {0, 1, true, true},
             "A grain whose velocity relative to the water is below this share of the water's goes with it: it takes "

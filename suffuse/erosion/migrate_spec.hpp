@@ -23,10 +23,11 @@ struct MigrateSpec {
                                 ///< a grain that has traveled one cell length along the flow has left, in a stack one
                                 ///< that comes within the largest filter grain of the end
     Skeleton skeleton = Skeleton::Held;
-    double hold_at_most = 2; ///< true time of a gradient [s]
-    double still = 0.005;    ///< share of the fines' mass that may move when a hold ends [-]
-    double still_for = 0.05; ///< true time over which motion is looked at [s]
-    double softness = 1e-3;  ///< overlap over radius of two equal fines under the 95 % load [-]
+    double hold_at_most = 2;        ///< true time of a gradient [s]
+    double still = 0.005;           ///< share of the fines' mass that may move when a hold ends [-]
+    double still_for = 0.05;        ///< true time over which motion is looked at [s]
+    double softness = 1e-3;         ///< overlap over radius of two equal fines under the 95 % load [-]
+    std::optional<double> friction; ///< of contacts while fines travel [rad]; nothing: that of the sample
     double with_water =
         0.8; ///< velocity relative to the water over the water's, below which a grain does not resist [-]
     double solve_after = 0.2;           ///< the flow, when fines have moved so far [diameters]

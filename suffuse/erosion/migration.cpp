@@ -151,8 +151,8 @@ void sum_contact_forces(dem::World& world) {
 }
 
 /// Gives the fines of a weightless sample their weight, and lets them come to rest on a skeleton that is held.
-WeighedCopy
-rest_fines(Migration& migration, const dem::World& sample, const MigrateSpec& spec, const Surroundings& around) {
+WeighedCopy rest_fines(Migration& migration, dem::World sample, const MigrateSpec& spec, const Surroundings& around) {
+    sample.material.friction = spec.friction.value_or(sample.material.friction);
     const grains::Grains& grains = sample.grains;
     const std::vector<Vec3> weight = buoyant_weights(sample, *spec.gravity, around.fluid);
     migration.coarse_permeability =
@@ -207,7 +207,7 @@ void settle_skeleton(Migration& migration, const MigrateSpec& spec, const Surrou
         bring_to_rest(sample, grains::Motion::Held);
         next.world = sample;
     } else {
-        const WeighedCopy copy = rest_fines(next, sample, spec, around);
+        const WeighedCopy copy = rest_fines(next, std::move(sample), spec, around);
         for (std::size_t p = 0; p < present.size(); ++p) {
             const std::size_t k = present[p];
             ledger.start[k] += copy.position(p) - ledger.end[k];
@@ -321,6 +321,7 @@ Migration begin_migration(const dem::World& sample, const MigrateSpec& spec, con
     dem::World sorted = sample;
     dem::sort_along_curve(sorted);
     migration.stress = dem::mean_stress_tensor(sorted);
+    migration.friction = sample.material.friction;
     if (spec.stack) {
         migration.stack = find_layers(sorted, spec.direction);
         migration.stack.exit = exit_of(migration.stack, spec);
@@ -411,7 +412,7 @@ dem::World migrated_sample(const Migration& migration, const Pulse& pulse) {
         }
     }
     dem::World sample = weightless.whole();
-    sample.material.friction = migration.world.material.friction;
+    sample.material.friction = migration.friction;
     bring_to_rest(sample, grains::Motion::Free);
     sum_contact_forces(sample);
     return sample;

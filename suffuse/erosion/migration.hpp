@@ -33,6 +33,7 @@ struct Migration {
     double hindrance = 1;           ///< of the last flow: drag over Stokes' of the median fine grain that stands [-]
     double coarse_permeability = 0; ///< of the coarse grains alone, as they are held; 0 where no water passes [m2]
     double solids_mass = 0;         ///< of the sample before [kg]
+    double friction = 0;            ///< the same, of its contacts [rad]
     Mat3 stress;                    ///< mean, of the sample before [Pa]
     Stack stack;                    ///< where its layers are; none: one soil
     LayerHeads at_first; ///< of its layers, all grains at rest: the head that gives the base its gradient is kept

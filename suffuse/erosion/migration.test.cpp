@@ -122,6 +122,18 @@ TEST(Migration, ThroughTouchingGrainsWithoutFrictionIsThatOfAllFinesBelowTheirSm
     EXPECT_TRUE(large.result.holds.front().ended);
 }
 
+TEST(Migration, HasAFrictionOfItsOwnAndGivesTheSampleItsFrictionBack) {
+    dem::World rough = dense_lattice(6);
+    rough.material.friction = 0.6;
+    MigrateSpec spec{.gradients = {4}, .direction = {0.2, 0.1, 1}, .hold_at_most = 0.2, .gravity = Gravity{}};
+    const Migration smooth = migrate(dense_lattice(6), spec), with_friction = migrate(rough, spec);
+    spec.friction = 0;
+    const Migration without = migrate(rough, spec);
+    EXPECT_EQ(without.ledger.end, smooth.ledger.end);
+    EXPECT_NE(without.ledger.end, with_friction.ledger.end);
+    EXPECT_EQ(migrated_sample(without, {}).material.friction, 0.6);
+}
+
 MigrateSpec through_cubic_lattice() {
     return {.gradients = {0.1, 0.3}, .exit = 1.5e-3, .hold_at_most = 0.4, .gravity = Gravity{}};
 }

@@ -247,7 +247,8 @@ SUFFUSE_MEMBERS(
 SUFFUSE_MEMBERS(Feeding, waiting, drawn)
 SUFFUSE_MEMBERS( // but for the world, which is saved as a state
     Migration, scale, ledger, result, time, energy, looked, steps, time_step, largest_overlap, hindrance,
-    coarse_permeability, solids_mass, stress, stack, at_first, now, feeding, fed_mass, rested, settles, over, cut_by
+    coarse_permeability, solids_mass, friction, stress, stack, at_first, now, feeding, fed_mass, rested, settles, over,
+    cut_by
 )
 } // namespace erosion
 
