@@ -48,7 +48,7 @@ def rows_of(run):
         if not name.endswith("/flow"):
             continue
         stage = run[name]
-        held = stage["fixed_mass_share"]
+        held = 0 if "stack" in stage.numbers else stage["fixed_mass_share"]  # shares of a stack leave its screen out
         rows.append({
             "kind": name.split("/")[0].split("-")[0], "ratio": ratio_of(name), "friction": int(has_friction(name)), "sample": name,
             "passed": stage["eroded_mass_share"] / max(1 - held, 1e-9), "moving": stage["moving_mass_share"],

@@ -29,8 +29,9 @@ constexpr std::array code_table = {
         "E203", "unknown key",
         "Keys that the program does not know are errors, so that a misspelt one is not silently ignored."},
     Code{
-        "E204", "a name is used twice",
-        "Stages of one study have different names, for each is a folder and a possible start."},
+        "E204", "a name or value is used twice",
+        "Stages of one study have different names, for each is a folder and a possible start. Values of "
+        "one swept key differ for the same reason."},
     Code{
         "E205", "wrong kind of value",
         "A number where a text is needed, a value where a list is needed, and the like."},
@@ -54,7 +55,10 @@ constexpr std::array code_table = {
         "E403", "stages in the wrong order",
         "A stage starts from the end of an earlier one; the first of a study packs or imports its grains."},
     Code{"E404", "unknown preset", "A preset is a [presets.NAME] table; \"standard\" is the case as written."},
-    Code{"E405", "bad --set", "--set KEY=VALUE takes the path of a key, study.NAME.stage.NAME.KEY for a stage."},
+    Code{
+        "E405", "bad --set",
+        "--set KEY=VALUE takes the path of a key, study.NAME.stage.NAME.KEY for a stage, and for one that is swept "
+        "study.NAME.sweep.KEY=[VALUE, VALUE]."},
     Code{"E406", "nothing to refine", "`refine` names a key of the study's `sweep`, whose values are quantities."},
     Code{
         "E407", "not a measure of this verb",
