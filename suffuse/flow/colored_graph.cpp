@@ -179,10 +179,10 @@ void open_rows(const RawColumn<Row>& rows, ColoredGraph& result) {
     }
 }
 
-/// Lets the rows of group q couple to the last row, by nothing.
-void fill_up(LaneRows& couplings, std::size_t q, std::size_t rows) {
+/// Lets the rows of group q couple to `row`, by nothing.
+void fill_up(LaneRows& couplings, std::size_t q, std::size_t row) {
     for (std::size_t s = couplings.first[q] * lanes; s < couplings.first[q + 1] * lanes; ++s) {
-        couplings.column[s] = static_cast<std::uint32_t>(rows - 1), couplings.weight[s] = 0.0F;
+        couplings.column[s] = static_cast<std::uint32_t>(row), couplings.weight[s] = 0.0F;
     }
 }
 
@@ -332,7 +332,7 @@ ColoredGraph color_graph(const WeightedGraph& graph) {
     result.inverse_sum.resize(rows.size()), result.ground.resize(rows.size());
     parallel_for(rows.size() / lanes, block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t q = begin; q < end; ++q) {
-            fill_up(result.before, q, rows.size()), fill_up(result.after, q, rows.size());
+            fill_up(result.before, q, 0), fill_up(result.after, q, rows.size() - 1);
             for (std::size_t r = q * lanes; r < (q + 1) * lanes; ++r) {
                 if (rows[r].node != none) {
                     fill_row(graph, rows[r].node, r, result);

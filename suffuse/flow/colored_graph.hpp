@@ -22,7 +22,9 @@ struct LaneRows {
     RawColumn<float> weight;
 };
 
-/// The last row couples to nothing: what only fills up a group points there.
+/// The last row is of no node. What only fills up a group points to the first row in `before` and to the last in
+/// `after`: no sweep writes a row while it reads it so, for rows of the first color have nothing before them, and those
+/// of the last nothing after.
 struct ColoredGraph {
     RawColumn<std::uint32_t> row;     ///< of each node
     std::vector<std::uint32_t> color; ///< the groups of color c are [color[c], color[c + 1])

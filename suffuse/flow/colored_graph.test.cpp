@@ -68,6 +68,29 @@ TEST(ColoredGraph, NoTwoCoupledNodesShareAColor) {
     }
 }
 
+TEST(ColoredGraph, TheLastRowIsOfNoNode) {
+    for (std::uint32_t nodes = 40; nodes < 40 + 4 * lanes; ++nodes) {
+        const ColoredGraph colored = color_graph(chorded_ring(nodes));
+        EXPECT_LT(*std::ranges::max_element(colored.row), colored.rows() - 1) << nodes;
+    }
+}
+
+TEST(ColoredGraph, RowsReadNoneOfTheirOwnColorThatOtherThreadsWrite) {
+    const ColoredGraph colored = color_graph(chorded_ring(333));
+    std::size_t fillers = 0;
+    for (std::size_t c = 0; c + 1 < colored.color.size(); ++c) {
+        const std::size_t begin = lanes * colored.color[c], end = lanes * colored.color[c + 1];
+        for (const LaneRows* const couplings : {&colored.before, &colored.after}) {
+            for (std::size_t s = lanes * couplings->first[colored.color[c]];
+                 s < lanes * couplings->first[colored.color[c + 1]]; ++s) {
+                EXPECT_FALSE(begin <= couplings->column[s] && couplings->column[s] < end) << "color " << c;
+                fillers += couplings->weight[s] == 0 ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(fillers, 0);
+}
+
 TEST(ColoredGraph, ProductIsThatOfTheGraph) {
     const WeightedGraph graph = chorded_ring(333);
     const ColoredGraph colored = color_graph(graph);
