@@ -263,11 +263,11 @@ TEST(Presets, AResolvedCaseRemembersItsPreset) {
 
 TEST(Sweeps, OfASettlingsPressureSurviveWritingAndReading) {
     for (const std::string table : {"sweep", "rows"}) {
-        const std::string text = good_case + "[study.swept]\nsoil = \"sand\"\nparticles = 3000\n" + table +
-                                 " = { \"stage.rest.pressure\" = [\"100 kPa\", \"9 kPa\"] }\n"
-                                 "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n"
-                                 "[[study.swept.stage]]\nname = \"rest\"\ndo = \"settle\"\n"
-                                 "pressure = \"50 kPa\"\n";
+        std::string text = good_case + "[study.swept]\nsoil = \"sand\"\nparticles = 3000\n";
+        text += table + " = { \"stage.rest.pressure\" = [\"100 kPa\", \"9 kPa\"] }\n"
+                        "[[study.swept.stage]]\nname = \"cloud\"\ndo = \"pack\"\n"
+                        "[[study.swept.stage]]\nname = \"rest\"\ndo = \"settle\"\n"
+                        "pressure = \"50 kPa\"\n";
         const std::string once = resolved_toml(load(text, {"", {}, {"swept"}}));
         const Case back = load(once);
         EXPECT_EQ(resolved_toml(back), once);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/graphs.hpp"
+#include <algorithm>
 #include <cmath>
 #include <random>
 
