@@ -346,11 +346,14 @@ names_in_sweep(const std::vector<std::string>& path, const std::string& study, c
 
 } // namespace
 
-void check_swept_override(Node& root, const std::string& text, Problems& problems) {
+void check_swept_override(const Node& root, const std::string& text, Problems& problems) {
     const std::vector<std::string> path = override_path(text);
-    Node::Entry* const studies = root.find("study");
+    const Node::Entry* const studies = root.find("study");
+    if (studies == nullptr) {
+        return;
+    }
     std::string sweeping, key;
-    for (const Node::Entry& study : studies != nullptr ? studies->value.entries : std::vector<Node::Entry>{}) {
+    for (const Node::Entry& study : studies->value.entries) {
         const std::vector<std::string> names = names_in_sweep(path, study.key, text_of(study.value, "soil"));
         const auto swept =
             std::ranges::find_if(names, [&](const std::string& name) { return sweeps_over(study.value, name); });

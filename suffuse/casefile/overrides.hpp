@@ -28,7 +28,7 @@ bool sets_gravity(const std::string& text);
 void check_preset_override(const std::string& text, const std::string& in_force, Problems& problems);
 
 /// Reports an override of a key that all studies it is for set in their `sweep` or `rows`: it would change nothing.
-void check_swept_override(Node& root, const std::string& text, Problems& problems);
+void check_swept_override(const Node& root, const std::string& text, Problems& problems);
 
 /// Leaves out the studies that are not among `names`; without names, none.
 void keep_studies(Node& root, const std::vector<std::string>& names, Problems& problems);
